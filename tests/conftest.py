@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Makes the extension importable as `architectural_curvature`, whatever is being tested.
+
+In plain Python that is the checkout, loaded as a package. In Blender's bpy module it is the zip
+that `python3 dev.py test` names in ARCHITECTURAL_CURVATURE_ZIP, installed: never the checkout.
+"""
+
+import importlib.util
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+PACKAGE = "architectural_curvature"
+ZIP_VARIABLE = "ARCHITECTURAL_CURVATURE_ZIP"
+_BLENDER_LEVELS = ("bridge", "operators", "extension")
+
+
+def pytest_configure() -> None:
+    """Load or install the package before test modules are collected, as they import from it."""
+    if PACKAGE in sys.modules:
+        return
+    if ZIP_VARIABLE in os.environ:
+        from installed_zip import install_and_alias
+
+        install_and_alias(Path(os.environ[ZIP_VARIABLE]), PACKAGE)
+    else:
+        _load_checkout()
+
+
+def _load_checkout() -> None:
+    spec = importlib.util.spec_from_file_location(
+        PACKAGE, ROOT / "__init__.py", submodule_search_locations=[str(ROOT)]
+    )
+    assert spec is not None
+    assert spec.loader is not None
+    package = importlib.util.module_from_spec(spec)
+    sys.modules[PACKAGE] = package
+    spec.loader.exec_module(package)
+
+
+def pytest_collect_file(file_path: Path) -> None:
+    """Refuse to test in Blender without a zip: passing on the checkout would prove nothing."""
+    level = file_path.relative_to(ROOT / "tests").parts[0]
+    if level in _BLENDER_LEVELS and ZIP_VARIABLE not in os.environ:
+        message = f"tests/{level} needs the built zip: run `python3 dev.py test`"
+        raise pytest.UsageError(message)
+
+
+@pytest.fixture(scope="session")
+def repository() -> Path:
+    """The root folder of the checkout."""
+    return ROOT
+
+
+@pytest.fixture(scope="session")
+def extension() -> str:
+    """The name of the installed extension's package, for `importlib.import_module`."""
+    if ZIP_VARIABLE not in os.environ:
+        pytest.fail("only a Blender that tests the built zip has an installed extension")
+    from installed_zip import INSTALLED_PACKAGE
+
+    return INSTALLED_PACKAGE
+
+
+@pytest.fixture(autouse=True)
+def _empty_scene() -> None:
+    """Start every test in Blender with an empty factory scene and the extension enabled."""
+    if ZIP_VARIABLE in os.environ:
+        from installed_zip import reset_scene
+
+        reset_scene()

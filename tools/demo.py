@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The demo: the built zip, installed into the bpy module, segments the sample model headless."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import tempfile
+from pathlib import Path
+
+from . import build, environments
+from .blenders import DEFAULT_BLENDER
+from .console import say, step
+from .errors import DevError
+from .places import OUT, ROOT
+from .platforms import current_platform
+from .processes import python_environment
+
+MODEL = ROOT / "assets" / "models" / "pavilion.obj"
+
+# Blender's `--command curvature …` without a Blender program: the function registered for it is
+# called in the bpy module, with the extension installed from the zip.
+_SESSION = """
+import os, sys
+import bpy
+zip_file, *arguments = sys.argv[1:]
+bpy.ops.extensions.package_install_files(
+    filepath=zip_file, repo="user_default", enable_on_install=True
+)
+import importlib
+cli = importlib.import_module("bl_ext.user_default.architectural_curvature.addon.cli")
+status = cli.run(arguments)
+sys.stdout.flush()
+os._exit(status)
+"""
+
+
+def run() -> int:
+    """Build, install, segment; leave demo.blend, demo.json and demo.png in out/.
+
+    Raises
+    ------
+    DevError
+        If the sample model is missing or the extension does not leave the three files.
+    """
+    if not MODEL.is_file():
+        raise DevError(f"the sample model {MODEL.relative_to(ROOT)} is missing")
+    python = environments.ensure(DEFAULT_BLENDER.environment)
+    zip_file = build.build(DEFAULT_BLENDER.series, [current_platform()])[0]
+    OUT.mkdir(exist_ok=True)
+    results = [OUT / f"demo.{ending}" for ending in ("blend", "json", "png")]
+    with step(f"segmenting {MODEL.name}"), tempfile.TemporaryDirectory() as user:
+        status = _segment(python, zip_file, results, Path(user))
+    missing = [path.name for path in results if not path.is_file()]
+    if status or missing:
+        raise DevError(
+            f"the demo ended with status {status} and left no {', '.join(missing) or 'gap'}"
+        )
+    for path in results:
+        say(f"made {path.relative_to(ROOT)}")
+    return 0
+
+
+def _segment(python: Path, zip_file: Path, results: list[Path], user: Path) -> int:
+    blend, report, image = results
+    arguments = ["segment", MODEL, "--output", blend, "--report", report, "--image", image]
+    return subprocess.run(
+        [python, "-c", _SESSION, zip_file, *arguments, "--overwrite"],
+        env=python_environment(BLENDER_USER_RESOURCES=os.fspath(user)),
+        check=False,
+    ).returncode
