@@ -30,7 +30,7 @@ bpy.ops.extensions.package_install_files(
 )
 import importlib
 cli = importlib.import_module("bl_ext.user_default.architectural_curvature.addon.cli")
-status = cli.run(arguments)
+status = cli.main(arguments)
 sys.stdout.flush()
 os._exit(status)
 """

@@ -68,7 +68,7 @@ def _parser() -> argparse.ArgumentParser:
     test.add_argument(
         "--only",
         action="append",
-        choices=("policy", "geometry", "blender"),
+        choices=("policy", "packaging", "geometry", "blender"),
         help="only this level, may be repeated",
     )
     test.set_defaults(run=_test)

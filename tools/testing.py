@@ -20,7 +20,7 @@ from .places import ROOT
 from .platforms import current_platform
 from .processes import python_environment
 
-_PLAIN_LEVELS = ("policy", "geometry")
+_PLAIN_LEVELS = ("policy", "packaging", "geometry")
 _BLENDER_LEVELS = ("bridge", "operators", "extension")
 _PYTEST_NOTHING_SELECTED = 5
 
@@ -61,7 +61,7 @@ def run(blenders: Sequence[Blender], only: Sequence[str] | None, options: Sequen
     blenders : sequence of Blender
         In which Blenders the levels that need one are run.
     only : sequence of str, optional
-        The levels to run ("policy", "geometry", "blender"); all by default.
+        The levels to run ("policy", "packaging", "geometry", "blender"); all by default.
     options : sequence of str
         Passed on to every pytest.
 
