@@ -1,0 +1,41 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The newest analyses, kept so that a change of tolerance or color need not measure again.
+
+What is kept can be thrown away at any time: the same model gives the same numbers again.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+
+from ..geometry.analysis import Analysis
+
+#: Together the kept analyses have at most this many corners, about 1 GB.
+_MOST_CORNERS = 12_000_000
+
+_kept: OrderedDict[str, Analysis] = OrderedDict()
+
+
+def find(fingerprint: str) -> Analysis | None:
+    """Return the analysis of a model, None where it is not kept."""
+    if fingerprint in _kept:
+        _kept.move_to_end(fingerprint)
+    return _kept.get(fingerprint)
+
+
+def keep(fingerprint: str, analysis: Analysis) -> None:
+    """Keep an analysis, and let go of the oldest ones where there are too many."""
+    _kept[fingerprint] = analysis
+    _kept.move_to_end(fingerprint)
+    while len(_kept) > 1 and _corner_count() > _MOST_CORNERS:
+        _kept.popitem(last=False)
+
+
+def clear() -> None:
+    """Let go of all analyses."""
+    _kept.clear()
+
+
+def _corner_count() -> int:
+    return sum(len(analysis.surface.mesh.corner_vertex) for analysis in _kept.values())

@@ -1,0 +1,106 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Models from files, through Blender's own importers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import bpy
+from bpy.types import Context, Object
+
+
+class ImportRefusedError(ValueError):
+    """A file cannot be read as a model; the message says why."""
+
+
+def _with_axes(importer: Callable[..., Any]) -> Callable[[str, str | None], Any]:
+    """Return a call of an importer that lets the user choose the axis that points up."""
+
+    def load(filepath: str, up: str | None) -> Any:
+        forward = {"Y": "NEGATIVE_Z", "Z": "Y"}
+        axes = {"up_axis": up, "forward_axis": forward[up]} if up else {}
+        return importer(filepath=filepath, **axes)
+
+    return load
+
+
+def _plain(importer: Callable[..., Any]) -> Callable[[str, str | None], Any]:
+    """Return a call of an importer whose format says itself which axis points up."""
+    return lambda filepath, _up: importer(filepath=filepath)
+
+
+def _fbx(filepath: str, _up: str | None) -> Any:
+    # Blender 4.5 has a new importer in C++ beside the add-on that older ones have.
+    if "fbx_import" in dir(bpy.ops.wm):
+        return bpy.ops.wm.fbx_import(filepath=filepath)
+    return bpy.ops.import_scene.fbx(filepath=filepath)
+
+
+_IMPORTERS: dict[str, Callable[[str, str | None], Any]] = {
+    ".obj": _with_axes(lambda **options: bpy.ops.wm.obj_import(**options)),
+    ".ply": _with_axes(lambda **options: bpy.ops.wm.ply_import(**options)),
+    ".stl": _with_axes(lambda **options: bpy.ops.wm.stl_import(**options)),
+    ".glb": _plain(lambda **options: bpy.ops.import_scene.gltf(**options)),
+    ".gltf": _plain(lambda **options: bpy.ops.import_scene.gltf(**options)),
+    ".usd": _plain(lambda **options: bpy.ops.wm.usd_import(**options)),
+    ".usda": _plain(lambda **options: bpy.ops.wm.usd_import(**options)),
+    ".usdc": _plain(lambda **options: bpy.ops.wm.usd_import(**options)),
+    ".usdz": _plain(lambda **options: bpy.ops.wm.usd_import(**options)),
+    ".abc": _plain(lambda **options: bpy.ops.wm.alembic_import(**options)),
+    ".fbx": _fbx,
+}
+
+ENDINGS = (".blend", *_IMPORTERS)
+"""Endings of the files that can be read."""
+
+
+def load_model(context: Context, path: Path, up: str | None = None) -> list[Object]:
+    """Open a Blender file, or import another into an empty one, and return its mesh objects.
+
+    Parameters
+    ----------
+    context : Context
+    path : Path
+    up : str, optional
+        Y or Z: the axis that points up in formats that do not say it; None for Blender's default.
+
+    Returns
+    -------
+    list of Object
+        The mesh objects that renders show; at least one.
+
+    Raises
+    ------
+    ImportRefusedError
+        If the file is missing, unreadable, of an unknown kind, or without a mesh.
+    """
+    if not path.is_file():
+        raise ImportRefusedError("there is no such file")
+    ending = path.suffix.lower()
+    if ending not in ENDINGS:
+        raise ImportRefusedError(f"cannot read '{ending}' files; known are {' '.join(ENDINGS)}")
+    try:
+        if ending == ".blend":
+            bpy.ops.wm.open_mainfile(filepath=str(path.resolve()), load_ui=False)
+        else:
+            bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+            _IMPORTERS[ending](str(path.resolve()), up)
+    except RuntimeError as error:
+        raise ImportRefusedError(f"Blender cannot read it: {_first_line(error)}") from error
+    objects = [obj for obj in context.view_layer.objects if _is_model(obj)]
+    if not objects:
+        raise ImportRefusedError("there is no mesh with faces in it")
+    return objects
+
+
+def _is_model(obj: Object) -> bool:
+    is_own = obj.type == "MESH" and not obj.hide_render and obj.curvature.source is None
+    return is_own and bool(len(obj.data.polygons) or obj.modifiers)
+
+
+def _first_line(error: RuntimeError) -> str:
+    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+    return lines[0].removeprefix("Error: ") if lines else "unknown error"

@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A material that shows the color attribute in renders, in place of a model's own materials."""
+
+from __future__ import annotations
+
+import bpy
+from bpy.types import Material, Object
+
+_NAME = "Curvature Colors"
+
+
+def show(obj: Object, is_shown: bool) -> None:
+    """Give every slot of an object the curvature material, or bring back what was there.
+
+    The slots are changed on the object, not on its mesh, whose materials stay what they were.
+
+    Parameters
+    ----------
+    obj : Object
+    is_shown : bool
+    """
+    if is_shown == obj.curvature.has_material:
+        return
+    if is_shown:
+        _cover(obj)
+    else:
+        _uncover(obj)
+    obj.curvature.has_material = is_shown
+
+
+def _cover(obj: Object) -> None:
+    if not obj.material_slots:
+        # An object has as many slots as its mesh has materials: an empty one makes room.
+        obj.data.materials.append(None)
+    material = _curvature_material()
+    obj.curvature.slots.clear()
+    for slot in obj.material_slots:
+        kept = obj.curvature.slots.add()
+        kept.link = slot.link
+        if slot.link == "OBJECT":
+            kept.material = slot.material
+        slot.link = "OBJECT"
+        slot.material = material
+
+
+def _uncover(obj: Object) -> None:
+    for slot, kept in zip(obj.material_slots, obj.curvature.slots, strict=False):
+        slot.material = kept.material
+        slot.link = kept.link
+    obj.curvature.slots.clear()
+
+
+def _curvature_material() -> Material:
+    material = bpy.data.materials.get(_NAME)
+    if material is not None and material.library is None:
+        return material
+    material = bpy.data.materials.new(_NAME)
+    material.use_nodes = True
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    nodes.clear()
+    output = nodes.new("ShaderNodeOutputMaterial")
+    shader = nodes.new("ShaderNodeBsdfPrincipled")
+    color = nodes.new("ShaderNodeVertexColor")
+    # Without a name the node takes the color attribute that is set to be rendered.
+    color.layer_name = ""
+    shader.inputs["Roughness"].default_value = 0.8
+    for node, x in ((color, -220.0), (shader, 0.0), (output, 300.0)):
+        node.location.x = x
+    links.new(color.outputs["Color"], shader.inputs["Base Color"])
+    links.new(shader.outputs["BSDF"], output.inputs["Surface"])
+    return material

@@ -1,0 +1,159 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Results on a mesh: attributes for every vertex and face, and a summary beside them."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+from bpy.types import Mesh, Object
+
+from ..geometry.analysis import Analysis
+from ..geometry.classification import SurfaceClass, classify
+from ..geometry.segmentation import Segmentation
+from ..geometry.settings import AnalysisSettings
+from ..geometry.tolerance import Tolerance
+from ..geometry.types import AnyArray, Floats
+from ..report.measures import measure_object
+from . import names
+from .attributes import remove_attributes, write_attribute
+from .subject import Subject
+
+
+def write_curvature(subject: Subject, carrier: Object, settings: AnalysisSettings) -> None:
+    """Write curvatures and directions of an analysis to the carrier's mesh.
+
+    Classes of an earlier state of the model go; those of the same analysis stay.
+
+    Parameters
+    ----------
+    subject : Subject
+    carrier : Object
+        Has the topology of the analyzed mesh.
+    settings : AnalysisSettings
+        What the analysis was made with.
+    """
+    mesh, analysis = carrier.data, subject.analysis
+    curvature = analysis.curvature
+    at_vertex = analysis.surface.vertex_sector
+    for name, values in (
+        (names.GAUSSIAN, curvature.gaussian),
+        (names.MEAN, curvature.mean),
+        (names.K1, curvature.k1),
+        (names.K2, curvature.k2),
+    ):
+        write_attribute(mesh, name, "POINT", "FLOAT", _on_vertices(values, at_vertex))
+    for name, directions in (
+        (names.DIRECTION_1, curvature.direction_1),
+        (names.DIRECTION_2, curvature.direction_2),
+    ):
+        in_object = _directions_in_object(directions, subject.meters_from_object)
+        write_attribute(mesh, name, "POINT", "FLOAT_VECTOR", _on_vertices(in_object, at_vertex))
+    results = mesh.curvature
+    if results.fingerprint != subject.fingerprint:
+        remove_attributes(mesh, names.CLASS_ATTRIBUTES)
+        results.is_segmented = False
+        results.classes.clear()
+    results.fingerprint = subject.fingerprint
+    results.crease_angle = settings.crease_angle
+    results.flip_normals = settings.flip_normals
+    if not results.is_segmented:
+        _write_summary(mesh, subject, measure_object(analysis))
+
+
+def is_current(mesh: Mesh, subject: Subject) -> bool:
+    """Return whether a mesh carries the curvatures of exactly this analysis already."""
+    return mesh.curvature.fingerprint == subject.fingerprint and all(
+        name in mesh.attributes for name in names.CURVATURE_ATTRIBUTES
+    )
+
+
+def write_point_types(mesh: Mesh, analysis: Analysis, tolerance: Tolerance) -> None:
+    """Write whether each vertex is flat, parabolic, elliptic or hyperbolic at a tolerance."""
+    curvature = analysis.curvature
+    types = classify(
+        curvature.k1, curvature.k2, tolerance.curvature_limit, curvature.is_defined
+    )
+    at_vertex = analysis.surface.vertex_sector
+    values = np.where(at_vertex >= 0, types[at_vertex], SurfaceClass.UNDEFINED)
+    write_attribute(mesh, names.POINT_TYPE, "POINT", "INT", values)
+
+
+def write_segmentation(subject: Subject, carrier: Object, segmentation: Segmentation) -> None:
+    """Write classes, regions and their measures to the carrier's mesh."""
+    mesh, results = carrier.data, carrier.data.curvature
+    write_attribute(mesh, names.FACE_CLASS, "FACE", "INT", segmentation.face_class)
+    write_attribute(mesh, names.REGION, "FACE", "INT", segmentation.regions.face_region)
+    results.is_segmented = True
+    results.panel_size = segmentation.tolerance.panel_size
+    results.deviation = segmentation.tolerance.deviation
+    results.curvature_limit = segmentation.tolerance.curvature_limit
+    results.classes.clear()
+    for surface_class, measure in segmentation.classes.items():
+        row = results.classes.add()
+        row.surface_class = surface_class.name
+        row.area, row.share = measure.area, measure.share
+        row.faces, row.regions = measure.faces, measure.regions
+        row.min_radius = measure.min_radius or 0.0
+    _write_summary(mesh, subject, measure_object(subject.analysis, segmentation))
+
+
+def read_report(obj: Object) -> dict[str, Any] | None:
+    """Return what was measured on an object's mesh, None where nothing was."""
+    text = obj.data.curvature.report
+    return json.loads(text) if text else None
+
+
+def clear_results(mesh: Mesh) -> bool:
+    """Remove every attribute and summary of ours from a mesh; return whether there was any."""
+    removed = remove_attributes(mesh, names.ATTRIBUTES)
+    results = mesh.curvature
+    had_results = bool(removed or results.fingerprint)
+    results.fingerprint = results.report = ""
+    results.is_segmented = False
+    results.classes.clear()
+    results.warnings.clear()
+    return had_results
+
+
+def _write_summary(mesh: Mesh, subject: Subject, block: dict[str, Any]) -> None:
+    sentences = (*subject.analysis.warnings, *_undefined_warning(subject.analysis))
+    sentences += _sharing_warning(subject.source)
+    block = {"name": subject.source.name, "source": "", **block, "warnings": list(sentences)}
+    results = mesh.curvature
+    results.warnings.clear()
+    for sentence in sentences:
+        results.warnings.add().text = sentence
+    results.report = json.dumps(block, allow_nan=False)
+
+
+def _undefined_warning(analysis: Analysis) -> tuple[str, ...]:
+    count = int((~analysis.curvature.is_defined).sum())
+    if not count:
+        return ()
+    return (
+        f"{count} of {analysis.surface.sector_count} places have too few faces around them "
+        "for a curvature and are left undefined",
+    )
+
+
+def _sharing_warning(source: Object) -> tuple[str, ...]:
+    users = source.data.users - source.data.use_fake_user
+    if users < 2:
+        return ()
+    return (f"the mesh is shared by {users} objects: all show the results at the scale of this one",)
+
+
+def _on_vertices(values: AnyArray, at_vertex: AnyArray) -> AnyArray:
+    """Return the leading sectors' values, zero for vertices without faces."""
+    rows = values[at_vertex]
+    rows[at_vertex < 0] = 0.0
+    return rows
+
+
+def _directions_in_object(directions: Floats, meters_from_object: Floats) -> Floats:
+    turned = directions @ np.linalg.inv(meters_from_object)
+    length = np.linalg.norm(turned, axis=1, keepdims=True)
+    return np.divide(turned, length, out=np.zeros_like(turned), where=length > 0.0)

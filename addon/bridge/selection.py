@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Selection of faces by what they are."""
+
+from __future__ import annotations
+
+import numpy as np
+from bpy.types import Mesh
+
+from ..geometry.types import Flags
+from .mesh import read_array
+
+
+def select_faces(mesh: Mesh, is_wanted: Flags, extend: bool) -> int:
+    """Select faces with their edges and vertices, and return how many are selected then.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        Not in Edit Mode.
+    is_wanted : (m,) bool
+    extend : bool
+        Whether faces that are selected already stay so.
+    """
+    if extend:
+        is_wanted = is_wanted | read_array(mesh.polygons, "select", np.bool_)
+    vertices = np.zeros(len(mesh.vertices), dtype=np.bool_)
+    edges = np.zeros(len(mesh.edges), dtype=np.bool_)
+    at_corner = np.repeat(is_wanted, read_array(mesh.polygons, "loop_total", np.int32))
+    vertices[read_array(mesh.loops, "vertex_index", np.int32)[at_corner]] = True
+    edges[read_array(mesh.loops, "edge_index", np.int32)[at_corner]] = True
+    mesh.vertices.foreach_set("select", vertices)
+    mesh.edges.foreach_set("select", edges)
+    mesh.polygons.foreach_set("select", is_wanted)
+    mesh.update()
+    return int(is_wanted.sum())

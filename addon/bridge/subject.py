@@ -1,0 +1,227 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The object that is analyzed, and the object that carries the results."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+from bpy.types import Context, Depsgraph, Mesh, Object, Scene
+
+from ..geometry.analysis import Analysis, analyze
+from ..geometry.mesh import PolygonMesh
+from ..geometry.settings import AnalysisSettings
+from ..geometry.types import Floats, Progress
+from . import cache
+from .collection import link_beside
+from .frame import meters_from_object
+from .mesh import read_array, read_polygon_mesh
+from .names import ATTRIBUTES
+
+
+@dataclass(frozen=True)
+class Subject:
+    """An analyzed object; nothing of it has been written yet.
+
+    Parameters
+    ----------
+    source : Object
+        What the user models.
+    meters_from_object : (3, 3) float64
+        From the object's coordinates to meters.
+    fingerprint : str
+        Changes with everything that the analysis depends on.
+    analysis : Analysis
+    has_base_topology : bool
+        Whether the source's modifiers leave its faces as they are.
+    """
+
+    source: Object
+    meters_from_object: Floats
+    fingerprint: str
+    analysis: Analysis
+    has_base_topology: bool
+
+
+def source_of(obj: Object) -> Object:
+    """Return the object that an object's results belong to: itself, unless it was made by us."""
+    return obj.curvature.source or obj
+
+
+def carrier_of(obj: Object) -> Object:
+    """Return the object that carries the results of an object: a copy of its own, or itself."""
+    copy = _own_copy(source_of(obj))
+    return copy if copy is not None and copy.data.curvature.fingerprint else source_of(obj)
+
+
+def selected_subjects(context: Context) -> list[Object]:
+    """Return the selected objects to analyze, each mesh and each source once."""
+    found: dict[str, Object] = {}
+    for obj in [*context.selected_objects, *context.objects_in_mode_unique_data]:
+        source = source_of(obj)
+        if source.type == "MESH":
+            found.setdefault(source.data.name_full, source)
+    return list(found.values())
+
+
+def read_subject(
+    obj: Object,
+    scene: Scene,
+    depsgraph: Depsgraph,
+    settings: AnalysisSettings,
+    on_progress: Progress | None = None,
+) -> Subject:
+    """Analyze the evaluated mesh of an object, or take the analysis from the cache.
+
+    Parameters
+    ----------
+    obj : Object
+        A mesh object that is not in Edit Mode.
+    scene : Scene
+    depsgraph : Depsgraph
+    settings : AnalysisSettings
+    on_progress : callable, optional
+
+    Returns
+    -------
+    Subject
+
+    Raises
+    ------
+    CurvatureError
+        If the mesh cannot be analyzed; the sentence says why.
+    """
+    to_meters = meters_from_object(obj, scene)
+    with evaluated_mesh(obj, depsgraph) as mesh:
+        polygon_mesh = read_polygon_mesh(mesh, to_meters)
+        has_base_topology = _same_topology(mesh, obj.data) and _is_writable(obj.data)
+    fingerprint = _fingerprint(polygon_mesh, to_meters, settings)
+    analysis = cache.find(fingerprint)
+    if analysis is None:
+        analysis = analyze(polygon_mesh, settings, on_progress)
+        cache.keep(fingerprint, analysis)
+    return Subject(obj, to_meters, fingerprint, analysis, has_base_topology)
+
+
+def prepare_carrier(subject: Subject, scene: Scene, depsgraph: Depsgraph) -> Object:
+    """Return the object to write the results to, and make or update the copy where one is needed.
+
+    Parameters
+    ----------
+    subject : Subject
+    scene : Scene
+    depsgraph : Depsgraph
+
+    Returns
+    -------
+    Object
+        The source, or an object named `<name> Curvature` that carries the evaluated geometry and
+        stands where the source stands.
+    """
+    source = subject.source
+    copy = _own_copy(source)
+    if subject.has_base_topology:
+        return source
+    if copy is not None and copy.data.curvature.fingerprint == subject.fingerprint:
+        copy.matrix_world = source.matrix_world
+        return copy
+    mesh = bpy.data.meshes.new_from_object(
+        source.evaluated_get(depsgraph), preserve_all_data_layers=True, depsgraph=depsgraph
+    )
+    mesh.name = f"{source.name} Curvature"
+    for name in ATTRIBUTES:
+        if name in mesh.attributes:
+            mesh.attributes.remove(mesh.attributes[name])
+    if copy is None:
+        copy = bpy.data.objects.new(f"{source.name} Curvature", mesh)
+        copy.curvature.source = source
+        link_beside(source, copy, scene)
+    else:
+        replaced = copy.data
+        copy.data = mesh
+        if not replaced.users:
+            bpy.data.meshes.remove(replaced)
+    copy.matrix_world = source.matrix_world
+    return copy
+
+
+def reveal_carrier(context: Context, source: Object, carrier: Object) -> None:
+    """Hide a source behind the copy that carries its results, and select the copy instead."""
+    if carrier == source:
+        return
+    was_active = context.view_layer.objects.active == source
+    source.select_set(False)
+    source.hide_set(True)
+    carrier.hide_set(False)
+    carrier.select_set(True)
+    if was_active:
+        context.view_layer.objects.active = carrier
+
+
+def discard_carrier(context: Context, source: Object) -> bool:
+    """Remove the copy that carries the results of a source; return whether there was one."""
+    copy = _own_copy(source)
+    if copy is None:
+        return False
+    mesh, was_active = copy.data, context.view_layer.objects.active == copy
+    bpy.data.objects.remove(copy)
+    if not mesh.users:
+        bpy.data.meshes.remove(mesh)
+    if source.name in context.view_layer.objects:
+        source.hide_set(False)
+        source.select_set(True)
+        if was_active:
+            context.view_layer.objects.active = source
+    return True
+
+
+@contextmanager
+def evaluated_mesh(obj: Object, depsgraph: Depsgraph) -> Iterator[Mesh]:
+    """Give an object's mesh with its modifiers applied, as long as the block runs."""
+    evaluated = obj.evaluated_get(depsgraph)
+    try:
+        yield evaluated.to_mesh()
+    finally:
+        evaluated.to_mesh_clear()
+
+
+def _own_copy(source: Object) -> Object | None:
+    return next(
+        (
+            obj
+            for obj in bpy.data.objects
+            if obj.type == "MESH" and obj.curvature.source == source and obj != source
+        ),
+        None,
+    )
+
+
+def _same_topology(one: Mesh, other: Mesh) -> bool:
+    counts = [(len(m.vertices), len(m.edges), len(m.polygons), len(m.loops)) for m in (one, other)]
+    return counts[0] == counts[1] and all(
+        np.array_equal(read_array(one.loops, name, np.int32), read_array(other.loops, name, np.int32))
+        for name in ("vertex_index", "edge_index")
+    )
+
+
+def _is_writable(mesh: Mesh) -> bool:
+    return mesh.library is None
+
+
+def _fingerprint(mesh: PolygonMesh, to_meters: Floats, settings: AnalysisSettings) -> str:
+    digest = hashlib.blake2b(repr(settings).encode(), digest_size=16)
+    for array in (
+        to_meters,
+        mesh.vertices,
+        mesh.corner_vertex,
+        mesh.polygon_start,
+        mesh.corner_edge,
+        mesh.edge_is_sharp,
+    ):
+        digest.update(np.ascontiguousarray(array).data)
+    return digest.hexdigest()

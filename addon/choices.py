@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What an operator was told to use, and the scene's settings for what it was not."""
+
+from __future__ import annotations
+
+from bpy.types import Context, Operator
+
+from .bridge.numbers import as_typed
+from .geometry.settings import AnalysisSettings, SegmentationSettings
+
+
+def adopt_settings(operator: Operator, context: Context, names: tuple[str, ...]) -> None:
+    """Fill properties that nobody has set from the scene, so that the redo panel shows them."""
+    for name in names:
+        if not operator.properties.is_property_set(name):
+            setattr(operator, name, getattr(context.scene.curvature, name))
+
+
+def analysis_settings(context: Context, operator: Operator | None = None) -> AnalysisSettings:
+    """Return how to measure curvature.
+
+    Raises
+    ------
+    InvalidSettingError
+        If a value makes no sense.
+    """
+    return AnalysisSettings(
+        crease_angle=_choose(context, operator, "crease_angle"),
+        flip_normals=bool(_choose(context, operator, "flip_normals")),
+    )
+
+
+def segmentation_settings(
+    context: Context, operator: Operator | None = None
+) -> SegmentationSettings:
+    """Return how to segment.
+
+    Raises
+    ------
+    InvalidSettingError
+        If a value makes no sense.
+    """
+    return SegmentationSettings(
+        panel_size=_choose(context, operator, "panel_size"),
+        deviation=_choose(context, operator, "deviation"),
+        min_area=_choose(context, operator, "min_area"),
+    )
+
+
+def _choose(context: Context, operator: Operator | None, name: str) -> float:
+    """Return an operator's value where it has one that is not 0, else the scene's."""
+    value = getattr(context.scene.curvature, name)
+    if operator is not None and getattr(operator, name, 0):
+        value = getattr(operator, name)
+    return as_typed(value)

@@ -1,0 +1,198 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Arguments of the command line, checked before any work begins."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from collections.abc import Sequence
+from pathlib import Path
+
+from ..bridge.importing import ENDINGS
+from ..geometry.display.colormap import ColorMap
+from ..properties import QUANTITY_ITEMS
+from ..report.files import FORMATS
+
+PROGRAM = "curvature"
+_PICTURE_ENDING = ".png"
+_BLEND_ENDING = ".blend"
+
+
+def parse_arguments(arguments: Sequence[str]) -> argparse.Namespace:
+    """Return the values of the command line's options.
+
+    Raises
+    ------
+    SystemExit
+        With status 2 and a line on stderr where the usage is wrong, with 0 after `--help`.
+    """
+    parser = _Parser(prog=f"blender --command {PROGRAM}", description=__doc__)
+    parser.description = "Curvature of architectural surfaces, without a window."
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    segment = commands.add_parser(
+        "segment",
+        help="find flat, single-curved and double-curved areas",
+        description="Find which parts of models are flat, single-curved, domes or saddles "
+        "at the tolerance of the panels. One line per object goes to the standard output.",
+    )
+    _add_inputs(segment)
+    _add_outputs(segment)
+    _add_settings(segment)
+    options = parser.parse_args(arguments)
+    _check_endings(segment, options)
+    return options
+
+
+class _Parser(argparse.ArgumentParser):
+    """Says what is wrong in one line; the usage is a `--help` away."""
+
+    def error(self, message: str) -> None:
+        self.exit(2, f"{self.prog}: {message}; see --help\n")
+
+
+def _add_inputs(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "models",
+        nargs="+",
+        type=Path,
+        metavar="MODEL",
+        help=f"file to read: {' '.join(ENDINGS)}",
+    )
+    parser.add_argument(
+        "--up",
+        choices=("Y", "Z"),
+        help="axis that points up in .obj, .ply and .stl files (default: Blender's for the format)",
+    )
+    parser.add_argument(
+        "--meters-per-unit",
+        type=_positive,
+        metavar="M",
+        help="length of one unit of the models in meters (default: that of the file, or 1)",
+    )
+
+
+def _add_outputs(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--output", type=Path, metavar="OUT.blend", help="Blender file with the results"
+    )
+    parser.add_argument(
+        "--report", type=Path, metavar="OUT.json", help="report on all models, .json or .csv"
+    )
+    parser.add_argument(
+        "--image", type=Path, metavar="OUT.png", help="picture of the model with its legend"
+    )
+    parser.add_argument(
+        "--image-size",
+        type=_size,
+        default=(1600, 1000),
+        metavar="WxH",
+        help="size of the picture in pixels (default: 1600x1000)",
+    )
+    parser.add_argument("--overwrite", action="store_true", help="replace existing files")
+    parser.add_argument(
+        "--json", action="store_true", help="write the report to the standard output"
+    )
+    parser.add_argument("--quiet", action="store_true", help="no progress on the standard error")
+    parser.epilog = (
+        "With several models, the Blender files and pictures get the name of their model added: "
+        "OUT-model.blend. Exit status: 0 all done, 1 something failed, 2 wrong usage."
+    )
+
+
+def _add_settings(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--panel-size",
+        type=_positive,
+        default=0.0,
+        metavar="M",
+        help="edge length of the panels in meters (default: a twentieth of the model's diagonal)",
+    )
+    parser.add_argument(
+        "--deviation",
+        type=_positive,
+        default=0.0,
+        metavar="M",
+        help="allowed deviation in meters (default: a two-hundredth of the panel size)",
+    )
+    parser.add_argument(
+        "--crease-angle",
+        type=_angle,
+        default=30.0,
+        metavar="DEG",
+        help="fold in degrees above which an edge separates smooth areas (default: 30)",
+    )
+    parser.add_argument(
+        "--min-area",
+        type=_not_negative,
+        default=0.0,
+        metavar="M2",
+        help="regions below this area in m² join a neighbor (default: 0, none do)",
+    )
+    parser.add_argument("--flip-normals", action="store_true", help="look from the other side")
+    parser.add_argument(
+        "--quantity",
+        choices=[item[0] for item in QUANTITY_ITEMS if item[0] != "NONE"],
+        default="CLASS",
+        help="what the colors of the picture and the Blender file show (default: CLASS)",
+    )
+    parser.add_argument(
+        "--color-map",
+        choices=[color_map.name for color_map in ColorMap],
+        default=ColorMap.COOL_WARM.name,
+        help="colors of curvatures (default: COOL_WARM)",
+    )
+    parser.add_argument(
+        "--range",
+        type=_positive,
+        metavar="LIMIT",
+        help="curvature that gets the last color (default: 95 %% of the area lie within)",
+    )
+
+
+def _check_endings(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    for name, path, endings in (
+        ("--output", options.output, (_BLEND_ENDING,)),
+        ("--report", options.report, FORMATS),
+        ("--image", options.image, (_PICTURE_ENDING,)),
+    ):
+        if path is not None and path.suffix.lower() not in endings:
+            parser.error(f"{name} {path}: the file name must end in {' or '.join(endings)}")
+
+
+def _number(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number")
+    return value
+
+
+def _positive(text: str) -> float:
+    value = _number(text)
+    if value <= 0.0:
+        raise argparse.ArgumentTypeError(f"must be greater than zero, not {text}")
+    return value
+
+
+def _not_negative(text: str) -> float:
+    value = _number(text)
+    if value < 0.0:
+        raise argparse.ArgumentTypeError(f"must not be negative: {text}")
+    return value
+
+
+def _angle(text: str) -> float:
+    value = _number(text)
+    if not 0.0 < value <= 180.0:
+        raise argparse.ArgumentTypeError(f"must be above 0 and at most 180 degrees, not {text}")
+    return value
+
+
+def _size(text: str) -> tuple[int, int]:
+    parts = text.lower().split("x")
+    if len(parts) != 2 or not all(part.isdigit() and 64 <= int(part) <= 16384 for part in parts):
+        raise argparse.ArgumentTypeError(f"must be like 1600x1000, each 64 to 16384, not {text}")
+    return int(parts[0]), int(parts[1])

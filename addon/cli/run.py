@@ -1,0 +1,160 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A run of the command: every model is read, segmented and written, one after the other."""
+
+from __future__ import annotations
+
+import math
+from argparse import Namespace
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import bpy
+from bpy.types import Object
+
+from .. import tasks
+from ..bridge import importing, picture, results, saving, viewport
+from ..choices import analysis_settings, segmentation_settings
+from ..geometry.errors import CurvatureError
+from ..overlay.content import legend_of
+from ..report.document import json_text
+from ..report.files import FileRefusedError, write_report
+from ..reporting import document_of, merge_settings, scene_document, shares_text
+from .arguments import PROGRAM, parse_arguments
+from .outputs import Outputs, plan_outputs
+from .streams import Console, console
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Run the command.
+
+    Parameters
+    ----------
+    arguments : sequence of str
+        What follows `blender --command curvature`.
+
+    Returns
+    -------
+    int
+        Exit status: 0 all done, 1 at least one model failed, 2 wrong usage.
+    """
+    try:
+        options = parse_arguments(arguments)
+    except SystemExit as stop:
+        return int(stop.code or 0)
+    with console(options.quiet) as screen:
+        return _run(options, screen)
+
+
+def _run(options: Namespace, screen: Console) -> int:
+    try:
+        outputs = plan_outputs(options)
+    except FileRefusedError as error:
+        screen.error(f"{PROGRAM}: {error}")
+        return 1
+    documents, failures = [], 0
+    for number, (model, files) in enumerate(zip(options.models, outputs, strict=True), 1):
+        screen.progress(f"[{number}/{len(options.models)}] {model}")
+        try:
+            document, refused = _segment_model(model, files, options, screen)
+        except (CurvatureError, FileRefusedError, importing.ImportRefusedError) as error:
+            screen.error(f"{PROGRAM}: {model}: {error}")
+            failures += 1
+            continue
+        documents.append(document)
+        for sentence in refused:
+            screen.error(f"{PROGRAM}: {model}: {sentence}")
+        failures += bool(refused)
+    if documents:
+        failures += _deliver(_join(documents), options, screen)
+    if len(options.models) > 1:
+        done = len(options.models) - min(failures, len(options.models))
+        screen.progress(f"{done} of {len(options.models)} models done")
+    return 1 if failures else 0
+
+
+def _segment_model(
+    model: Path, files: Outputs, options: Namespace, screen: Console
+) -> tuple[dict[str, Any], list[str]]:
+    """Segment one model and write its files; return its report and what was refused in it."""
+    objects = importing.load_model(bpy.context, model, options.up)
+    context = bpy.context
+    _apply_settings(options)
+    outcome = tasks.segment_objects(
+        context,
+        objects,
+        analysis_settings(context),
+        segmentation_settings(context),
+        lambda share: screen.progress(f"  {100.0 * share:3.0f} %"),
+    )
+    if not outcome.carriers:
+        raise CurvatureError("; ".join(outcome.refused))
+    settings = context.scene.curvature
+    settings.use_material = True
+    settings.quantity = options.quantity
+    for sentence in outcome.warnings:
+        screen.progress(f"  warning: {sentence}")
+    document = scene_document(context, outcome.carriers, str(model))
+    viewport.frame(context, outcome.carriers)
+    if files.blend:
+        saving.save_blend(files.blend)
+        screen.progress(f"  wrote {files.blend}")
+    if files.image:
+        legend = legend_of(context.scene, outcome.carriers[0] if len(objects) == 1 else None)
+        picture.render(context, outcome.carriers, legend, options.image_size, files.image)
+        screen.progress(f"  wrote {files.image}")
+    if not options.json:
+        for carrier in outcome.carriers:
+            screen.result(_result_line(model, carrier))
+    return document, outcome.refused
+
+
+def _apply_settings(options: Namespace) -> None:
+    scene = bpy.context.scene
+    if options.meters_per_unit:
+        scene.unit_settings.scale_length = options.meters_per_unit
+    settings = scene.curvature
+    settings.panel_size = options.panel_size
+    settings.deviation = options.deviation
+    settings.min_area = options.min_area
+    settings.crease_angle = math.radians(options.crease_angle)
+    settings.flip_normals = options.flip_normals
+    settings.color_map = options.color_map
+    if options.range:
+        settings.range_mode = "FIXED"
+        settings.range_limit = options.range
+
+
+def _result_line(model: Path, carrier: Object) -> str:
+    block = results.read_report(carrier) or {}
+    radii = [
+        measure["min_radius"] for measure in block["classes"].values() if measure["min_radius"]
+    ]
+    radius = f", smallest radius {min(radii):.2f} m" if radii else ""
+    return (
+        f"{model.name}: {block['name']}: {block['area']:.4g} m²: {shares_text(carrier)}"
+        f", {len(block['regions'])} regions{radius}"
+    )
+
+
+def _join(documents: list[dict[str, Any]]) -> dict[str, Any]:
+    return document_of(
+        [block for document in documents for block in document["objects"]],
+        merge_settings([document["settings"] for document in documents]),
+    )
+
+
+def _deliver(document: dict[str, Any], options: Namespace, screen: Console) -> int:
+    """Write the report; return how many failures that brought."""
+    if options.json:
+        screen.result(json_text(document).rstrip())
+    if options.report is None:
+        return 0
+    try:
+        write_report(options.report, document)
+    except FileRefusedError as error:
+        screen.error(f"{PROGRAM}: {error}")
+        return 1
+    screen.progress(f"wrote {options.report}")
+    return 0

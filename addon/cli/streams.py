@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Standard streams: results on stdout, progress and errors on stderr, and nothing in between."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TextIO
+
+
+@dataclass
+class Console:
+    """Where a command writes to.
+
+    `results` is the real standard output; `is_quiet` silences progress but not errors.
+    """
+
+    results: TextIO
+    is_quiet: bool
+
+    def result(self, text: str) -> None:
+        """Write a result."""
+        self.results.write(text + "\n")
+        self.results.flush()
+
+    def progress(self, text: str) -> None:
+        """Write a line of progress."""
+        if not self.is_quiet:
+            self.error(text)
+
+    def error(self, text: str) -> None:
+        """Write a line to the standard error."""
+        sys.stderr.write(text + "\n")
+        sys.stderr.flush()
+
+
+@contextmanager
+def console(is_quiet: bool) -> Iterator[Console]:
+    """Give a console; what Blender and its importers write to stdout meanwhile is dropped.
+
+    They report timings and internals there, between which nobody could read the results.
+    """
+    sys.stdout.flush()
+    real = os.dup(1)
+    with open(os.devnull, "wb") as nowhere, os.fdopen(real, "w", encoding="utf-8") as results:
+        os.dup2(nowhere.fileno(), 1)
+        try:
+            yield Console(results, is_quiet)
+        finally:
+            sys.stdout.flush()
+            results.flush()
+            os.dup2(results.fileno(), 1)

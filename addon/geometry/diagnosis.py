@@ -1,0 +1,83 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is unsound about a surface, in words and counts that a designer can act on."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .surface import Surface
+
+#: Rounding above this share of the median edge length spoils curvature visibly.
+_COARSE_ROUNDING = 1e-4
+
+
+def diagnose(surface: Surface) -> tuple[str, ...]:
+    """Return one sentence per kind of defect, each with the number of places.
+
+    Parameters
+    ----------
+    surface : Surface
+
+    Returns
+    -------
+    tuple of str
+        Empty for a sound surface.
+    """
+    mesh, edges = surface.mesh, surface.edges
+    counted = (
+        (
+            int(surface.is_degenerate.sum()),
+            "face has no area and gets no class: Mesh > Clean Up > Degenerate Dissolve",
+            "faces have no area and get no class: Mesh > Clean Up > Degenerate Dissolve",
+        ),
+        (
+            duplicate_polygon_count(surface),
+            "face repeats another one and counts twice: Mesh > Clean Up > Merge by Distance",
+            "faces repeat others and count twice: Mesh > Clean Up > Merge by Distance",
+        ),
+        (
+            edges.nonmanifold_count,
+            "edge has more than two faces and counts as a crease: delete inner faces",
+            "edges have more than two faces and count as creases: delete inner faces",
+        ),
+        (
+            edges.flipped_count,
+            "edge has faces that point to opposite sides and counts as a crease: "
+            "Mesh > Normals > Recalculate Outside",
+            "edges have faces that point to opposite sides and count as creases: "
+            "Mesh > Normals > Recalculate Outside",
+        ),
+        (
+            mesh.vertex_count - len(np.unique(mesh.corner_vertex)),
+            "vertex has no faces and no curvature",
+            "vertices have no faces and no curvature",
+        ),
+    )
+    sentences = [
+        f"{count} {one if count == 1 else many}" for count, one, many in counted if count
+    ]
+    return (*sentences, *_rounding_warning(surface))
+
+
+def duplicate_polygon_count(surface: Surface) -> int:
+    """Return the number of polygons that have the same set of vertices as an earlier one."""
+    mesh = surface.mesh
+    # The sum of well mixed numbers, one per vertex, names a set of vertices whatever their order.
+    mixed = (mesh.corner_vertex.astype(np.uint64) + np.uint64(1)) * np.uint64(0x9E3779B97F4A7C15)
+    mixed ^= mixed >> np.uint64(31)
+    mixed *= np.uint64(0xBF58476D1CE4E5B9)
+    mixed ^= mixed >> np.uint64(29)
+    return mesh.polygon_count - len(np.unique(np.add.reduceat(mixed, mesh.polygon_start[:-1])))
+
+
+def _rounding_warning(surface: Surface) -> tuple[str, ...]:
+    mesh = surface.mesh
+    start = mesh.vertices[mesh.corner_vertex]
+    lengths = np.linalg.norm(start[mesh.next_corner] - start, axis=1)
+    if mesh.resolution <= _COARSE_ROUNDING * float(np.median(lengths)):
+        return ()
+    return (
+        f"coordinates are so far from the origin that they are rounded to "
+        f"{mesh.resolution:.2g} m: move the geometry to the origin of the object and model again",
+    )

@@ -1,0 +1,43 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The only door to libigl: its functions under our names, types and conventions."""
+
+from __future__ import annotations
+
+import igl
+import numpy as np
+
+from .types import Floats, Indices
+
+
+def principal_curvature(
+    positions: Floats, triangles: Indices, radius: int
+) -> tuple[Floats, Floats, Floats, Floats, Indices]:
+    """Return principal curvatures and directions by quadric fitting.
+
+    Parameters
+    ----------
+    positions : (s, 3) float64
+        Every position must be used by a triangle.
+    triangles : (t, 3) int64
+        Counter-clockwise seen from outside.
+    radius : int
+        Size of the neighborhood in rings, at least 2.
+
+    Returns
+    -------
+    k1, k2 : (s,) float64
+        k1 >= k2, positive where the surface is convex seen from outside.
+    direction_1, direction_2 : (s, 3) float64
+        Unit principal directions.
+    failed : (b,) int64
+        Positions where the fit failed; their values are zero.
+
+    References
+    ----------
+    .. [1] Panozzo, Puppo, Rocca (2010). Efficient multi-scale curvature and crease estimation.
+    """
+    direction_1, direction_2, k1, k2, failed = igl.principal_curvature(
+        np.ascontiguousarray(positions), np.ascontiguousarray(triangles, dtype=np.int64), radius
+    )
+    return k1, k2, direction_1, direction_2, np.array(failed, dtype=np.int64)

@@ -1,0 +1,150 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Connected areas of one class, and their measures."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from .classification import SurfaceClass
+from .surface import Surface
+from .types import Flags, Floats, Indices
+
+
+@dataclass(frozen=True)
+class Regions:
+    """Connected areas of one class that no crease runs through.
+
+    Parameters
+    ----------
+    face_region : (m,) int64
+        Region of every polygon, 0 for the largest area; -1 where the class is undefined.
+    region_class : (r,) int64
+        `SurfaceClass` of every region.
+    area : (r,) float64
+        In m².
+    face_count : (r,) int64
+        Number of polygons.
+    boundary_length : (r,) float64
+        Length of the region's whole outline in meters, creases and rims included.
+    """
+
+    face_region: Indices
+    region_class: Indices
+    area: Floats
+    face_count: Indices
+    boundary_length: Floats
+
+    @property
+    def count(self) -> int:
+        """Number of regions."""
+        return len(self.area)
+
+
+def connect_regions(surface: Surface, face_class: Indices) -> Regions:
+    """Join neighboring polygons of one class into regions.
+
+    Parameters
+    ----------
+    surface : Surface
+    face_class : (m,) int64
+        Values of `SurfaceClass`.
+
+    Returns
+    -------
+    Regions
+        Numbered by falling area; equal areas in the order of their first polygon.
+    """
+    polygon = surface.mesh.corner_polygon[surface.edges.smooth]
+    is_same = face_class[polygon[:, 0]] == face_class[polygon[:, 1]]
+    label = _components(polygon[is_same], len(face_class))
+    is_defined = face_class != SurfaceClass.UNDEFINED
+    names, compact = np.unique(label[is_defined], return_inverse=True)
+    count = len(names)
+    area = np.bincount(compact, surface.polygon_area[is_defined], count)
+    order = np.argsort(-_rounded(area), kind="stable")
+    rank = np.empty(count, dtype=np.int64)
+    rank[order] = np.arange(count)
+    face_region = np.full(len(face_class), -1, dtype=np.int64)
+    face_region[is_defined] = rank[compact.reshape(-1)]
+    region_class = np.empty(count, dtype=np.int64)
+    region_class[face_region[is_defined]] = face_class[is_defined]
+    return Regions(
+        face_region=face_region,
+        region_class=region_class,
+        area=area[order],
+        face_count=np.bincount(face_region[is_defined], minlength=count),
+        boundary_length=_boundary_lengths(surface, face_region, count),
+    )
+
+
+def absorb_small_regions(surface: Surface, face_class: Indices, min_area: float) -> Indices:
+    """Give regions below a minimum area the class of the neighbor with the longest shared border.
+
+    Regions that border on nothing but creases and rims stay, however small they are.
+
+    Parameters
+    ----------
+    surface : Surface
+    face_class : (m,) int64
+        Values of `SurfaceClass`.
+    min_area : float
+        In m²; 0 changes nothing.
+
+    Returns
+    -------
+    (m,) int64
+        The classes with the small regions absorbed, smallest first.
+    """
+    labels = face_class.copy()
+    smooth = surface.edges.smooth
+    polygon = surface.mesh.corner_polygon[smooth]
+    length = _half_edge_lengths(surface)[smooth[:, 0]]
+    while min_area > 0.0:
+        regions = connect_regions(surface, labels)
+        sides = regions.face_region[polygon]
+        is_border = (sides[:, 0] != sides[:, 1]) & (sides >= 0).all(axis=1)
+        small = np.flatnonzero(regions.area < min_area)
+        bordering = np.isin(small, sides[is_border])
+        if not bordering.any():
+            break
+        # Regions are sorted by area: the last is the smallest. One after the other, so that the
+        # result does not depend on which of two small neighbors is looked at first.
+        chosen = small[bordering][-1]
+        own = sides[is_border] == chosen
+        neighbor = np.where(own[:, 0], sides[is_border, 1], sides[is_border, 0])
+        shared = np.bincount(
+            neighbor[own.any(axis=1)], length[is_border][own.any(axis=1)], regions.count
+        )
+        labels[regions.face_region == chosen] = regions.region_class[np.argmax(shared)]
+    return labels
+
+
+def _components(pairs: Indices, count: int) -> Indices:
+    links = coo_array((np.ones(len(pairs), dtype=np.int8), (pairs[:, 0], pairs[:, 1])), (count,) * 2)
+    return connected_components(links, directed=False)[1].astype(np.int64)
+
+
+def _rounded(values: Floats) -> Floats:
+    """Return values without their last digits, so that summation order does not sort them."""
+    scale = float(values.max(initial=0.0)) or 1.0
+    return np.round(values / scale, 9)
+
+
+def _half_edge_lengths(surface: Surface) -> Floats:
+    position = surface.mesh.vertices[surface.mesh.corner_vertex]
+    return np.linalg.norm(position[surface.mesh.next_corner] - position, axis=1)
+
+
+def _boundary_lengths(surface: Surface, face_region: Indices, count: int) -> Floats:
+    """Return the outline of every region: all its half-edges but those between its own faces."""
+    region = face_region[surface.mesh.corner_polygon]
+    pairs = surface.edges.inner
+    is_inside = region[pairs[:, 0]] == region[pairs[:, 1]]
+    is_outline: Flags = region >= 0
+    is_outline[pairs[is_inside].reshape(-1)] = False
+    return np.bincount(region[is_outline], _half_edge_lengths(surface)[is_outline], count)

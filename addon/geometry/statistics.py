@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Area-weighted statistics of curvature."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .types import Floats
+
+#: Share of the area that a smallest radius leaves out, against single bad faces.
+RADIUS_PERCENTILE = 99.0
+
+
+@dataclass(frozen=True)
+class Summary:
+    """Distribution of a quantity over the surface, weighted by area; in the quantity's unit."""
+
+    min: float
+    max: float
+    mean: float
+    median: float
+    p05: float
+    p95: float
+
+
+def weighted_percentiles(values: Floats, weights: Floats, percents: Floats) -> Floats:
+    """Return the values below which given shares of the weight lie.
+
+    Parameters
+    ----------
+    values, weights : (n,) float64
+        Weights are not negative and do not all vanish; n >= 1.
+    percents : (p,) float64
+        0 to 100.
+
+    Returns
+    -------
+    (p,) float64
+        Interpolated between the values, each of which stands at the middle of its weight.
+    """
+    order = np.argsort(values, kind="stable")
+    total = np.cumsum(weights[order])
+    middle = total - 0.5 * weights[order]
+    return np.interp(np.asarray(percents) / 100.0 * total[-1], middle, values[order])
+
+
+def summarize(values: Floats, weights: Floats) -> Summary | None:
+    """Return the distribution of values that stand for areas.
+
+    Parameters
+    ----------
+    values : (n,) float64
+    weights : (n,) float64
+        Areas in m².
+
+    Returns
+    -------
+    Summary or None
+        None where no area has a value.
+    """
+    if not weights.sum() > 0.0:
+        return None
+    used = weights > 0.0
+    values, weights = values[used], weights[used]
+    p05, median, p95 = weighted_percentiles(values, weights, np.array([5.0, 50.0, 95.0]))
+    return Summary(
+        min=float(values.min()),
+        max=float(values.max()),
+        mean=float(np.average(values, weights=weights)),
+        median=float(median),
+        p05=float(p05),
+        p95=float(p95),
+    )
+
+
+def smallest_radius(curvature_size: Floats, areas: Floats) -> float | None:
+    """Return the radius that 99 % of the area does not fall below.
+
+    Parameters
+    ----------
+    curvature_size : (n,) float64
+        Larger absolute principal curvature in 1/m.
+    areas : (n,) float64
+        In m².
+
+    Returns
+    -------
+    float or None
+        In meters; None where there is no area or no curvature.
+    """
+    if not areas.sum() > 0.0:
+        return None
+    size = weighted_percentiles(curvature_size, areas, np.array([RADIUS_PERCENTILE]))[0]
+    return float(1.0 / size) if size > 0.0 else None

@@ -1,0 +1,123 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the legend says about a scene."""
+
+from __future__ import annotations
+
+import numpy as np
+from bpy.types import Object, Scene
+
+from ..bridge import names, units
+from ..bridge.attributes import read_attribute
+from ..bridge.display import CURVATURES, analyzed_objects, class_colors
+from ..bridge.subject import carrier_of
+from ..geometry.classification import SurfaceClass
+from ..geometry.display.colormap import ColorMap, srgb_from_linear
+from ..geometry.display.legend import ClassKey, ColorBar, Legend
+from ..geometry.display.palette import CLASS_NAMES, region_colors
+
+_MOST_REGIONS = 8
+_UNITS = {"GAUSSIAN": "1/m²", "MEAN": "1/m", "K1": "1/m", "K2": "1/m"}
+
+
+def legend_of(scene: Scene, active: Object | None) -> Legend | None:
+    """Return the key of the colors that a scene's models show.
+
+    Parameters
+    ----------
+    scene : Scene
+    active : Object, optional
+        The shares are those of this object where it has results, else of all models.
+
+    Returns
+    -------
+    ColorBar, ClassKey or None
+        None where nothing is shown.
+    """
+    settings = scene.curvature
+    objects = _described_objects(scene, active)
+    if settings.quantity == "NONE" or not objects:
+        return None
+    if settings.quantity in CURVATURES:
+        return _color_bar(scene)
+    objects = [obj for obj in objects if obj.data.curvature.is_segmented]
+    if not objects:
+        return None
+    return _class_key(scene, objects) if settings.quantity == "CLASS" else _region_key(objects[0])
+
+
+def tolerance_notes(scene: Scene, obj: Object) -> tuple[str, ...]:
+    """Return the tolerance of an object's classes in words."""
+    results = obj.data.curvature
+    radius = units.length_text(scene, 1.0 / results.curvature_limit)
+    return (
+        f"Within {units.length_text(scene, results.deviation)} "
+        f"over a {units.length_text(scene, results.panel_size)} panel,",
+        f"straight above a radius of {radius}",
+    )
+
+
+def _described_objects(scene: Scene, active: Object | None) -> list[Object]:
+    if active is not None and active.type == "MESH":
+        carrier = carrier_of(active)
+        if carrier.data.curvature.fingerprint:
+            return [carrier]
+    return analyzed_objects(scene)
+
+
+def _color_bar(scene: Scene) -> ColorBar | None:
+    settings = scene.curvature
+    if settings.shown_limit <= 0.0:
+        return None
+    title = names.COLORS[settings.quantity]
+    clipped = 100.0 * settings.shown_clipped
+    notes = (f"{clipped:.1f} % of the area lies beyond",) if clipped >= 0.05 else ()
+    return ColorBar(
+        title,
+        _UNITS[settings.quantity],
+        ColorMap[settings.color_map],
+        settings.shown_limit,
+        notes,
+    )
+
+
+def _class_key(scene: Scene, objects: list[Object]) -> ClassKey:
+    areas = dict.fromkeys(SurfaceClass, 0.0)
+    for obj in objects:
+        for row in obj.data.curvature.classes:
+            areas[SurfaceClass[row.surface_class]] += row.area
+    total = sum(areas.values()) or 1.0
+    colors = class_colors(scene.curvature)
+    rows = tuple(
+        (_display_color(colors[surface_class]), name, f"{100.0 * areas[surface_class] / total:.1f} %")
+        for surface_class, name in CLASS_NAMES.items()
+        if surface_class != SurfaceClass.UNDEFINED or areas[surface_class] > 0.0
+    )
+    notes = tolerance_notes(scene, objects[0]) if len(objects) == 1 else ()
+    return ClassKey("Curvature Class", rows, notes)
+
+
+def _region_key(obj: Object) -> ClassKey | None:
+    results = obj.data.curvature
+    count = sum(row.regions for row in results.classes)
+    face_region = read_attribute(obj.data, names.REGION)
+    face_class = read_attribute(obj.data, names.FACE_CLASS)
+    if face_region is None or face_class is None or not count:
+        return None
+    first_face = [int(np.argmax(face_region == number)) for number in range(min(count, _MOST_REGIONS))]
+    colors = region_colors(np.arange(len(first_face)))[:, :3]
+    rows = tuple(
+        (
+            _display_color(tuple(colors[number])),
+            f"{number + 1}",
+            CLASS_NAMES[SurfaceClass(int(face_class[face]))],
+        )
+        for number, face in enumerate(first_face)
+    )
+    notes = (f"{count} regions, the largest first",)
+    return ClassKey("Curvature Regions", rows, notes)
+
+
+def _display_color(linear: tuple[float, float, float]) -> tuple[float, float, float]:
+    red, green, blue = srgb_from_linear(np.array(linear, dtype=np.float64))
+    return (float(red), float(green), float(blue))

@@ -1,0 +1,21 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Panels of the sidebar tab "Curvature", one per file."""
+
+from __future__ import annotations
+
+import bpy
+
+from .analysis import CURVATURE_PT_analysis
+from .results import CURVATURE_PT_results
+from .segmentation import CURVATURE_PT_segmentation
+from .warnings import CURVATURE_PT_warnings
+
+register, unregister = bpy.utils.register_classes_factory(
+    (
+        CURVATURE_PT_segmentation,
+        CURVATURE_PT_results,
+        CURVATURE_PT_analysis,
+        CURVATURE_PT_warnings,
+    )
+)

@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Panel with what was found."""
+
+from __future__ import annotations
+
+from bpy.types import Context, Panel, PropertyGroup, Scene, UILayout
+
+from ..bridge import units
+from ..geometry.classification import SurfaceClass
+from ..geometry.display.palette import CLASS_NAMES
+from .base import SidebarPanel, active_results_mesh
+
+
+class CURVATURE_PT_results(SidebarPanel, Panel):
+    """Measures of every class."""
+
+    bl_idname = "CURVATURE_PT_results"
+    bl_label = "Results"
+    bl_order = 1
+
+    def draw(self, context: Context) -> None:
+        """Draw a row of figures per class."""
+        layout = self.layout
+        mesh = active_results_mesh(context)
+        if mesh is None or not mesh.curvature.is_segmented:
+            layout.label(text="Segment a model to see its classes", icon="INFO")
+            return
+        for row in mesh.curvature.classes:
+            if row.faces or row.surface_class != SurfaceClass.UNDEFINED.name:
+                _draw_class(layout, context.scene, row)
+        layout.operator("curvature.export_report", icon="EXPORT")
+
+
+def _draw_class(layout: UILayout, scene: Scene, measure: PropertyGroup) -> None:
+    surface_class = SurfaceClass[measure.surface_class]
+    box = layout.box().column(align=True)
+    row = box.row(align=True)
+    swatch = row.row()
+    swatch.scale_x = 0.3
+    swatch.prop(scene.curvature, f"color_{surface_class.name.lower()}", text="")
+    row.label(text=f" {CLASS_NAMES[surface_class]}")
+    share = row.row()
+    share.alignment = "RIGHT"
+    share.label(text=f"{100.0 * measure.share:.1f} %")
+    row.operator(
+        "curvature.select_class", text="", icon="RESTRICT_SELECT_OFF", emboss=False
+    ).surface_class = surface_class.name
+    if measure.faces:
+        _draw_figures(box, scene, measure)
+
+
+def _draw_figures(box: UILayout, scene: Scene, measure: PropertyGroup) -> None:
+    flow = box.grid_flow(columns=2, even_columns=True, align=True, row_major=True)
+    flow.active = False
+    flow.label(text=units.area_text(scene, measure.area))
+    flow.label(text=f"{measure.faces:,} {'face' if measure.faces == 1 else 'faces'}")
+    radius = units.length_text(scene, measure.min_radius) if measure.min_radius else ""
+    flow.label(text=f"R \u2265 {radius}" if radius else "")
+    flow.label(text=f"{measure.regions:,} {'region' if measure.regions == 1 else 'regions'}")

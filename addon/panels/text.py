@@ -1,0 +1,19 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sentences broken into lines that fit a sidebar."""
+
+from __future__ import annotations
+
+import textwrap
+
+from bpy.types import Context
+
+_PIXELS_PER_LETTER = 6.6
+_ICON_AND_MARGINS = 56.0
+
+
+def wrap(sentence: str, context: Context) -> list[str]:
+    """Return the lines of a sentence for the width of the region at hand."""
+    scale = context.preferences.system.ui_scale
+    letters = (context.region.width / scale - _ICON_AND_MARGINS) / _PIXELS_PER_LETTER
+    return textwrap.wrap(sentence, max(int(letters), 16))

@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whether an operator can run, and what to do where it cannot."""
+
+from __future__ import annotations
+
+from bpy.types import Context, Object, Operator
+
+from .bridge import display
+
+
+def has_mesh(operator: type[Operator], context: Context) -> bool:
+    """Ask for a mesh object in Object or Edit Mode."""
+    if context.mode not in {"OBJECT", "EDIT_MESH"}:
+        operator.poll_message_set("Switch to Object or Edit Mode")
+        return False
+    if not _selected_meshes(context):
+        operator.poll_message_set("Select a mesh object")
+        return False
+    return True
+
+
+def has_results(operator: type[Operator], context: Context) -> bool:
+    """Ask for an analyzed mesh somewhere in the scene."""
+    if context.mode not in {"OBJECT", "EDIT_MESH"}:
+        operator.poll_message_set("Switch to Object or Edit Mode")
+        return False
+    if not display.analyzed_objects(context.scene):
+        operator.poll_message_set("Analyze or segment a model first")
+        return False
+    return True
+
+
+def has_classes(operator: type[Operator], context: Context) -> bool:
+    """Ask for a selected mesh that is segmented."""
+    if not has_mesh(operator, context):
+        return False
+    if not any(obj.data.curvature.is_segmented for obj in display.analyzed_objects(context.scene)):
+        operator.poll_message_set("Segment the model first")
+        return False
+    return True
+
+
+def _selected_meshes(context: Context) -> list[Object]:
+    objects = [*context.selected_objects, *context.objects_in_mode_unique_data]
+    return [obj for obj in objects if obj.type == "MESH"]

@@ -1,0 +1,84 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a report says about one object."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Any
+
+from ..geometry.analysis import Analysis
+from ..geometry.classification import SurfaceClass
+from ..geometry.segmentation import Segmentation
+from ..geometry.statistics import summarize
+
+CLASS_KEYS = {
+    SurfaceClass.FLAT: "flat",
+    SurfaceClass.SINGLE: "single_curved",
+    SurfaceClass.ELLIPTIC: "double_curved_elliptic",
+    SurfaceClass.HYPERBOLIC: "double_curved_hyperbolic",
+    SurfaceClass.UNDEFINED: "undefined",
+}
+"""Names of the classes in reports, in their order there."""
+
+
+def measure_object(
+    analysis: Analysis, segmentation: Segmentation | None = None
+) -> dict[str, Any]:
+    """Return an object's block of the report, without its name and source.
+
+    Parameters
+    ----------
+    analysis : Analysis
+    segmentation : Segmentation, optional
+        Its keys are absent where nothing was segmented.
+
+    Returns
+    -------
+    dict
+        Ready for JSON. Lengths in m, areas in m², curvatures in 1/m and 1/m²; statistics are
+        weighted by area.
+    """
+    surface, curvature = analysis.surface, analysis.curvature
+    areas = surface.sector_area * curvature.is_defined
+    block: dict[str, Any] = {
+        "vertices": surface.mesh.vertex_count,
+        "faces": surface.mesh.polygon_count,
+        "area": float(surface.polygon_area.sum()),
+        "warnings": list(analysis.warnings),
+    }
+    for key, values in (
+        ("gaussian_curvature", curvature.gaussian),
+        ("mean_curvature", curvature.mean),
+        ("k1", curvature.k1),
+        ("k2", curvature.k2),
+    ):
+        summary = summarize(values, areas)
+        block[key] = asdict(summary) if summary else None
+    if segmentation is not None:
+        block |= _segmentation_block(segmentation)
+    return block
+
+
+def _segmentation_block(segmentation: Segmentation) -> dict[str, Any]:
+    regions = segmentation.regions
+    return {
+        "panel_size": segmentation.tolerance.panel_size,
+        "deviation": segmentation.tolerance.deviation,
+        "curvature_limit": segmentation.tolerance.curvature_limit,
+        "classes": {
+            key: asdict(segmentation.classes[surface_class])
+            for surface_class, key in CLASS_KEYS.items()
+        },
+        "regions": [
+            {
+                "id": number,
+                "class": CLASS_KEYS[SurfaceClass(int(regions.region_class[number]))],
+                "area": float(regions.area[number]),
+                "faces": int(regions.face_count[number]),
+                "min_radius": segmentation.region_min_radius[number],
+                "boundary_length": float(regions.boundary_length[number]),
+            }
+            for number in range(regions.count)
+        ],
+    }

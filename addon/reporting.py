@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What users are told: messages of operators, documents of reports."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import bpy
+from bpy.types import Context, Object, Operator
+
+from .bridge import results
+from .bridge.numbers import as_typed
+from .geometry.classification import SurfaceClass
+from .geometry.display.palette import CLASS_NAMES
+from .report.document import build_document
+from .tasks import Outcome
+from .version import extension_version
+
+
+def conclude(operator: Operator, outcome: Outcome, verb: str) -> set[str]:
+    """Report what became of the objects, and return the operator's result."""
+    if not outcome.carriers:
+        operator.report({"ERROR"}, "; ".join(outcome.refused) or "Select a mesh object")
+        return {"CANCELLED"}
+    count = len(outcome.carriers)
+    parts = [f"{verb} {outcome.carriers[0].name if count == 1 else f'{count} models'}"]
+    parts += outcome.refused
+    if outcome.warnings:
+        parts.append(f"{len(outcome.warnings)} warnings are listed under Results")
+    if count == 1 and outcome.carriers[0].data.curvature.is_segmented:
+        parts[0] += f": {shares_text(outcome.carriers[0])}"
+    is_sound = not outcome.refused and not outcome.warnings
+    operator.report({"INFO"} if is_sound else {"WARNING"}, "; ".join(parts))
+    return {"FINISHED"}
+
+
+def shares_text(carrier: Object) -> str:
+    """Return the shares of the classes that an object has, in one line."""
+    return ", ".join(
+        f"{CLASS_NAMES[SurfaceClass[row.surface_class]].lower().replace(',', '')} "
+        f"{100.0 * row.share:.1f} %"
+        for row in carrier.data.curvature.classes
+        if row.faces
+    )
+
+
+def scene_document(context: Context, carriers: list[Object], source: str) -> dict[str, Any]:
+    """Return the report of analyzed objects, made by the settings of the scene.
+
+    Parameters
+    ----------
+    context : Context
+    carriers : list of Object
+        Objects with results.
+    source : str
+        File that the objects come from, empty where it was not saved.
+    """
+    blocks = [results.read_report(carrier) for carrier in carriers]
+    objects = [{**block, "source": source} for block in blocks if block]
+    return document_of(objects, used_settings(context, carriers, objects))
+
+
+def document_of(objects: list[dict[str, Any]], settings: dict[str, Any]) -> dict[str, Any]:
+    """Return the report of blocks that were measured already."""
+    return build_document(extension_version(), bpy.app.version_string, settings, objects)
+
+
+def used_settings(
+    context: Context, carriers: list[Object], objects: list[dict[str, Any]]
+) -> dict[str, Any]:
+    """Return the settings that were used; None where the objects differ in one."""
+    per_object = [
+        {
+            **{
+                key: block[key]
+                for key in ("panel_size", "deviation", "curvature_limit")
+                if key in block
+            },
+            "crease_angle": as_typed(carrier.data.curvature.crease_angle),
+            "flip_normals": carrier.data.curvature.flip_normals,
+        }
+        for carrier, block in zip(carriers, objects, strict=True)
+    ]
+    merged = merge_settings(per_object)
+    return {**merged, "scale_length": as_typed(context.scene.unit_settings.scale_length)}
+
+
+def merge_settings(settings: list[dict[str, Any]]) -> dict[str, Any]:
+    """Return settings that all share; None for those in which they differ."""
+    keys = {key: None for each in settings for key in each}
+    return {
+        key: settings[0].get(key) if len({repr(each.get(key)) for each in settings}) == 1 else None
+        for key in keys
+    }

@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measure curvature."""
+
+from __future__ import annotations
+
+from math import pi
+
+from bpy.props import BoolProperty, FloatProperty
+from bpy.types import Context, Event, Operator
+
+from ..addon import polls, tasks
+from ..addon.bridge.subject import selected_subjects
+from ..addon.choices import adopt_settings, analysis_settings, segmentation_settings
+from ..addon.geometry.errors import CurvatureError
+from ..addon.progress import progress
+from ..addon.reporting import conclude
+
+
+class CURVATURE_OT_analyze(Operator):
+    """Measure the curvature of the selected meshes and store it as attributes."""
+
+    bl_idname = "curvature.analyze"
+    bl_label = "Analyze Curvature"
+    bl_description = (
+        "Measure Gaussian, mean and principal curvatures of the selected meshes, "
+        "store them as attributes and show them in color"
+    )
+    bl_options = {"REGISTER", "UNDO"}
+
+    crease_angle: FloatProperty(
+        name="Crease Angle",
+        description="Fold between two faces above which their edge separates smooth areas; "
+        "0 takes the scene's setting",
+        subtype="ANGLE",
+        default=0.0,
+        min=0.0,
+        max=pi,
+        options={"SKIP_SAVE"},
+    )
+    flip_normals: BoolProperty(
+        name="Flip Normals",
+        description="Look at the surface from its other side: mean curvature changes its sign",
+        default=False,
+        options={"SKIP_SAVE"},
+    )
+
+    @classmethod
+    def poll(cls, context: Context) -> bool:
+        """Ask for a mesh and a mode in which it can be read."""
+        return polls.has_mesh(cls, context)
+
+    def invoke(self, context: Context, _event: Event) -> set[str]:
+        """Start from the scene's settings."""
+        adopt_settings(self, context, ("crease_angle", "flip_normals"))
+        return self.execute(context)
+
+    def execute(self, context: Context) -> set[str]:
+        """Measure, write and show."""
+        try:
+            settings = analysis_settings(context, self)
+            panel = segmentation_settings(context)
+        except CurvatureError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        with progress(context.window_manager) as advance:
+            outcome = tasks.analyze_objects(
+                context, selected_subjects(context), settings, panel, advance
+            )
+        return conclude(self, outcome, "Analyzed")

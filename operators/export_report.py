@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Write a report."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import bpy
+from bpy.props import BoolProperty, StringProperty
+from bpy.types import Context, Event, Operator
+
+from ..addon import polls
+from ..addon.bridge.subject import carrier_of, selected_subjects
+from ..addon.report.files import FORMATS, FileRefusedError, write_report
+from ..addon.reporting import scene_document
+
+
+class CURVATURE_OT_export_report(Operator):
+    """Write what was measured on the selected meshes to a file."""
+
+    bl_idname = "curvature.export_report"
+    bl_label = "Export Report"
+    bl_description = (
+        "Write areas, shares, radii and statistics of the selected meshes to a JSON or CSV file"
+    )
+    # No UNDO: the operator changes a file, nothing in Blender.
+    bl_options = {"REGISTER"}
+
+    filepath: StringProperty(
+        name="File Path",
+        description="File to write; its ending decides the format: .json or .csv",
+        subtype="FILE_PATH",
+        options={"SKIP_SAVE"},
+    )
+    check_existing: BoolProperty(
+        name="Check Existing",
+        description="Warn before a file is replaced",
+        default=True,
+        options={"HIDDEN"},
+    )
+    filter_glob: StringProperty(
+        name="Filter",
+        description="Endings of the files to list",
+        default=";".join(f"*{ending}" for ending in FORMATS),
+        options={"HIDDEN"},
+    )
+
+    @classmethod
+    def poll(cls, context: Context) -> bool:
+        """Ask for an analyzed mesh."""
+        return polls.has_results(cls, context)
+
+    def invoke(self, context: Context, _event: Event) -> set[str]:
+        """Ask for the file, beside the open one by default."""
+        if not self.filepath:
+            stem = Path(bpy.data.filepath).stem or "untitled"
+            self.filepath = str(Path(bpy.data.filepath).with_name(f"{stem}-curvature.json"))
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    def execute(self, context: Context) -> set[str]:
+        """Collect the measures and write the file."""
+        carriers = [carrier_of(source) for source in selected_subjects(context)]
+        carriers = [carrier for carrier in carriers if carrier.data.curvature.report]
+        if not carriers:
+            self.report({"ERROR"}, "The selected meshes have no curvature results: analyze them")
+            return {"CANCELLED"}
+        path = Path(bpy.path.abspath(self.filepath))
+        try:
+            write_report(path, scene_document(context, carriers, bpy.data.filepath))
+        except FileRefusedError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        self.report({"INFO"}, f"Wrote {path.name}")
+        return {"FINISHED"}
