@@ -15,12 +15,11 @@ _registered = ExitStack()
 
 def register() -> None:
     """Register every module, or none: a failure undoes the ones before it."""
-    global _registered
     with ExitStack() as stack:
         for module in _MODULES:
             module.register()
             stack.callback(module.unregister)
-        _registered = stack.pop_all()
+        _registered.push(stack.pop_all())
 
 
 def unregister() -> None:

@@ -108,9 +108,7 @@ def segment_objects(
 
     def write(subject: Subject) -> Object:
         analysis, tolerance = subject.analysis, _tolerance(subject, panel)
-        segmentation = segment(
-            analysis.surface, analysis.curvature, tolerance, panel.min_area
-        )
+        segmentation = segment(analysis.surface, analysis.curvature, tolerance, panel.min_area)
         carrier = _write_analysis(context, subject, settings, tolerance)
         results.write_segmentation(subject, carrier, segmentation)
         display.write_class_colors(carrier.data, context.scene.curvature)

@@ -11,7 +11,12 @@ from ..geometry.types import AnyArray
 from .mesh import read_array
 
 _FIELD = {"FLOAT": "value", "INT": "value", "FLOAT_VECTOR": "vector", "FLOAT_COLOR": "color"}
-_TYPE = {"FLOAT": np.float32, "INT": np.int32, "FLOAT_VECTOR": np.float32, "FLOAT_COLOR": np.float32}
+_TYPE = {
+    "FLOAT": np.float32,
+    "INT": np.int32,
+    "FLOAT_VECTOR": np.float32,
+    "FLOAT_COLOR": np.float32,
+}
 _WIDTH = {"FLOAT": 1, "INT": 1, "FLOAT_VECTOR": 3, "FLOAT_COLOR": 4}
 
 

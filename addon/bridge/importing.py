@@ -6,7 +6,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import bpy
 from bpy.types import Context, Object
@@ -16,40 +15,43 @@ class ImportRefusedError(ValueError):
     """A file cannot be read as a model; the message says why."""
 
 
-def _with_axes(importer: Callable[..., Any]) -> Callable[[str, str | None], Any]:
+_Importer = Callable[[str, str | None], object]
+
+
+def _with_axes(module: str, name: str) -> _Importer:
     """Return a call of an importer that lets the user choose the axis that points up."""
 
-    def load(filepath: str, up: str | None) -> Any:
+    def load(filepath: str, up: str | None) -> object:
         forward = {"Y": "NEGATIVE_Z", "Z": "Y"}
         axes = {"up_axis": up, "forward_axis": forward[up]} if up else {}
-        return importer(filepath=filepath, **axes)
+        return getattr(getattr(bpy.ops, module), name)(filepath=filepath, **axes)
 
     return load
 
 
-def _plain(importer: Callable[..., Any]) -> Callable[[str, str | None], Any]:
+def _plain(module: str, name: str) -> _Importer:
     """Return a call of an importer whose format says itself which axis points up."""
-    return lambda filepath, _up: importer(filepath=filepath)
+    return lambda filepath, _up: getattr(getattr(bpy.ops, module), name)(filepath=filepath)
 
 
-def _fbx(filepath: str, _up: str | None) -> Any:
+def _fbx(filepath: str, _up: str | None) -> object:
     # Blender 4.5 has a new importer in C++ beside the add-on that older ones have.
     if "fbx_import" in dir(bpy.ops.wm):
         return bpy.ops.wm.fbx_import(filepath=filepath)
     return bpy.ops.import_scene.fbx(filepath=filepath)
 
 
-_IMPORTERS: dict[str, Callable[[str, str | None], Any]] = {
-    ".obj": _with_axes(lambda **options: bpy.ops.wm.obj_import(**options)),
-    ".ply": _with_axes(lambda **options: bpy.ops.wm.ply_import(**options)),
-    ".stl": _with_axes(lambda **options: bpy.ops.wm.stl_import(**options)),
-    ".glb": _plain(lambda **options: bpy.ops.import_scene.gltf(**options)),
-    ".gltf": _plain(lambda **options: bpy.ops.import_scene.gltf(**options)),
-    ".usd": _plain(lambda **options: bpy.ops.wm.usd_import(**options)),
-    ".usda": _plain(lambda **options: bpy.ops.wm.usd_import(**options)),
-    ".usdc": _plain(lambda **options: bpy.ops.wm.usd_import(**options)),
-    ".usdz": _plain(lambda **options: bpy.ops.wm.usd_import(**options)),
-    ".abc": _plain(lambda **options: bpy.ops.wm.alembic_import(**options)),
+_IMPORTERS: dict[str, _Importer] = {
+    ".obj": _with_axes("wm", "obj_import"),
+    ".ply": _with_axes("wm", "ply_import"),
+    ".stl": _with_axes("wm", "stl_import"),
+    ".glb": _plain("import_scene", "gltf"),
+    ".gltf": _plain("import_scene", "gltf"),
+    ".usd": _plain("wm", "usd_import"),
+    ".usda": _plain("wm", "usd_import"),
+    ".usdc": _plain("wm", "usd_import"),
+    ".usdz": _plain("wm", "usd_import"),
+    ".abc": _plain("wm", "alembic_import"),
     ".fbx": _fbx,
 }
 

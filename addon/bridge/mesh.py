@@ -7,14 +7,16 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from bpy.types import Mesh
+from bpy.types import Mesh, bpy_prop_collection
 
 from ..geometry.errors import InvalidMeshError
 from ..geometry.mesh import PolygonMesh
 from ..geometry.types import AnyArray, Floats
 
 
-def read_array(collection: Any, name: str, dtype: type, width: int = 1) -> AnyArray:
+def read_array(
+    collection: bpy_prop_collection[Any], name: str, dtype: type, width: int = 1
+) -> AnyArray:
     """Return one property of every item of a Blender collection.
 
     Returns

@@ -12,9 +12,9 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from bpy.types import Context, Object, Scene
+from bpy.types import Object, Scene
 
-from ..geometry.display.legend import Layout, Legend, lay_out
+from ..geometry.display.legend import LIGHT, Layout, Legend, lay_out
 from ..geometry.types import AnyArray, Floats
 from ..report.files import FileRefusedError, written_whole
 from .mesh import read_array
@@ -24,12 +24,12 @@ _EYE = np.array([0.55, -1.0, 0.6])
 _MARGIN = 1.12
 _BACKGROUND = (0.96, 0.96, 0.95)
 _LEGEND_MARGIN = 24
-#: Height in pixels of a picture in which the legend has its natural size.
-_NATURAL_HEIGHT = 800.0
+#: Size in pixels of a picture in which the legend has its natural size.
+_NATURAL_HEIGHT = 750.0
+_NATURAL_WIDTH = 1000.0
 
 
 def render(
-    context: Context,
     objects: list[Object],
     legend: Legend | None,
     size: tuple[int, int],
@@ -39,7 +39,6 @@ def render(
 
     Parameters
     ----------
-    context : Context
     objects : list of Object
         Mesh objects whose active color attributes are shown.
     legend : Legend, optional
@@ -54,17 +53,20 @@ def render(
         If the file cannot be written, or the machine lacks what renders.
     """
     _check_graphics(path)
+    scale = min(size[1] / _NATURAL_HEIGHT, size[0] / _NATURAL_WIDTH)
+    margin = round(_LEGEND_MARGIN * scale)
     with written_whole(path) as temporary:
+        key = np.zeros((0, 0, 4))
+        if legend is not None:
+            key = _draw_legend(legend, scale, temporary)
         with _scene("Curvature Picture", size) as scene:
             for obj in objects:
                 scene.collection.objects.link(obj)
-            _aim_camera(context, scene, objects)
+            _aim_camera(scene, objects, key.shape[1] + margin)
             _shade_model(scene)
             picture = _render(scene, temporary)
         pixels = _over(np.array([*_BACKGROUND, 1.0]), picture)
-        if legend is not None:
-            scale = size[1] / _NATURAL_HEIGHT
-            _paste(pixels, _draw_legend(legend, scale, temporary), round(_LEGEND_MARGIN * scale))
+        _paste(pixels, key, margin)
         _save(pixels, temporary)
 
 
@@ -118,7 +120,8 @@ def _shade_model(scene: Scene) -> None:
     shading.show_specular_highlight = False
 
 
-def _aim_camera(context: Context, scene: Scene, objects: list[Object]) -> None:
+def _aim_camera(scene: Scene, objects: list[Object], reserved: int) -> None:
+    """Let the camera see the objects, right of so many columns of pixels."""
     points = np.concatenate([_world_positions(obj) for obj in objects])
     back = _EYE / np.linalg.norm(_EYE)
     right = np.cross([0.0, 0.0, 1.0], back)
@@ -128,12 +131,14 @@ def _aim_camera(context: Context, scene: Scene, objects: list[Object]) -> None:
     low, high = seen.min(axis=0), seen.max(axis=0)
     extent = np.maximum(high - low, 1e-9)
     width, height = scene.render.resolution_x, scene.render.resolution_y
+    free = max(width - reserved, width // 2)
     # The scale of an orthographic camera is the length of the picture's longer side.
-    per_pixel = _MARGIN * max(extent[0] / width, extent[1] / height)
+    per_pixel = _MARGIN * max(extent[0] / free, extent[1] / height)
     depth = max(float(extent[2]), per_pixel * width)
     matrix = np.eye(4)
     matrix[:3, :3] = axes
     center = (low + high) / 2.0
+    center[0] -= 0.5 * (width - free) * per_pixel
     center[2] = high[2] + depth
     matrix[:3, 3] = axes @ center
     scene.camera.matrix_world = matrix.T
@@ -161,7 +166,7 @@ def _render(scene: Scene, temporary: Path) -> AnyArray:
 def _draw_legend(legend: Legend, scale: float, temporary: Path) -> AnyArray:
     """Return a legend as pixels, (height, width, 4), the lowest row first."""
     with _scene("Curvature Legend", (64, 64)) as scene, _Lettering(scene) as lettering:
-        layout = lay_out(legend, scale, lettering.measure)
+        layout = lay_out(legend, scale, lettering.measure, LIGHT)
         width, height = int(np.ceil(layout.width)), int(np.ceil(layout.height))
         scene.render.resolution_x, scene.render.resolution_y = width, height
         scene.camera.data.ortho_scale = max(width, height)

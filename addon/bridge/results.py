@@ -73,9 +73,7 @@ def is_current(mesh: Mesh, subject: Subject) -> bool:
 def write_point_types(mesh: Mesh, analysis: Analysis, tolerance: Tolerance) -> None:
     """Write whether each vertex is flat, parabolic, elliptic or hyperbolic at a tolerance."""
     curvature = analysis.curvature
-    types = classify(
-        curvature.k1, curvature.k2, tolerance.curvature_limit, curvature.is_defined
-    )
+    types = classify(curvature.k1, curvature.k2, tolerance.curvature_limit, curvature.is_defined)
     at_vertex = analysis.surface.vertex_sector
     values = np.where(at_vertex >= 0, types[at_vertex], SurfaceClass.UNDEFINED)
     write_attribute(mesh, names.POINT_TYPE, "POINT", "INT", values)
@@ -143,7 +141,9 @@ def _sharing_warning(source: Object) -> tuple[str, ...]:
     users = source.data.users - source.data.use_fake_user
     if users < 2:
         return ()
-    return (f"the mesh is shared by {users} objects: all show the results at the scale of this one",)
+    return (
+        f"the mesh is shared by {users} objects: all show the results at the scale of this one",
+    )
 
 
 def _on_vertices(values: AnyArray, at_vertex: AnyArray) -> AnyArray:

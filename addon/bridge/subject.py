@@ -204,7 +204,9 @@ def _own_copy(source: Object) -> Object | None:
 def _same_topology(one: Mesh, other: Mesh) -> bool:
     counts = [(len(m.vertices), len(m.edges), len(m.polygons), len(m.loops)) for m in (one, other)]
     return counts[0] == counts[1] and all(
-        np.array_equal(read_array(one.loops, name, np.int32), read_array(other.loops, name, np.int32))
+        np.array_equal(
+            read_array(one.loops, name, np.int32), read_array(other.loops, name, np.int32)
+        )
         for name in ("vertex_index", "edge_index")
     )
 

@@ -50,4 +50,4 @@ def _viewports(context: Context) -> Iterator[SpaceView3D]:
     for window in context.window_manager.windows:
         for area in window.screen.areas:
             if area.type == "VIEW_3D":
-                yield from (space for space in area.spaces if space.type == "VIEW_3D")
+                yield from (space for space in area.spaces if isinstance(space, SpaceView3D))

@@ -102,7 +102,7 @@ def _segment_model(
         screen.progress(f"  wrote {files.blend}")
     if files.image:
         legend = legend_of(context.scene, outcome.carriers[0] if len(objects) == 1 else None)
-        picture.render(context, outcome.carriers, legend, options.image_size, files.image)
+        picture.render(outcome.carriers, legend, options.image_size, files.image)
         screen.progress(f"  wrote {files.image}")
     if not options.json:
         for carrier in outcome.carriers:
@@ -131,10 +131,11 @@ def _result_line(model: Path, carrier: Object) -> str:
     radii = [
         measure["min_radius"] for measure in block["classes"].values() if measure["min_radius"]
     ]
+    count = len(block["regions"])
     radius = f", smallest radius {min(radii):.2f} m" if radii else ""
     return (
         f"{model.name}: {block['name']}: {block['area']:.4g} m²: {shares_text(carrier)}"
-        f", {len(block['regions'])} regions{radius}"
+        f", {count} {'region' if count == 1 else 'regions'}{radius}"
     )
 
 

@@ -7,9 +7,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
+from .groups import connected_groups, sum_by_group
 from .libigl import principal_curvature
 from .polygons import polygon_area_vectors
 from .surface import Surface
@@ -116,15 +115,12 @@ def planar_sectors(surface: Surface) -> Flags:
     """
     mesh = surface.mesh
     polygon = mesh.corner_polygon[surface.edges.smooth]
-    links = coo_array(
-        (np.ones(len(polygon), dtype=np.int8), (polygon[:, 0], polygon[:, 1])),
-        (mesh.polygon_count,) * 2,
-    )
-    piece_count, polygon_piece = connected_components(links, directed=False)
+    polygon_piece = connected_groups(polygon, mesh.polygon_count)
+    piece_count = int(polygon_piece.max()) + 1
     piece = polygon_piece[mesh.corner_polygon]
     vector = polygon_area_vectors(mesh)
     normal = np.stack(
-        [np.bincount(polygon_piece, vector[:, axis], piece_count) for axis in range(3)], axis=1
+        [sum_by_group(polygon_piece, vector[:, axis], piece_count) for axis in range(3)], axis=1
     )
     length = np.linalg.norm(normal, axis=1)
     normal /= np.maximum(length, np.finfo(float).tiny)[:, None]

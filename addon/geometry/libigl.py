@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import igl
 import numpy as np
 
 from .types import Floats, Indices
@@ -37,7 +36,16 @@ def principal_curvature(
     ----------
     .. [1] Panozzo, Puppo, Rocca (2010). Efficient multi-scale curvature and crease estimation.
     """
+    # Together with scipy, libigl takes long to load; Blender's start must not pay for it.
+    import igl  # pyright: ignore[reportMissingTypeStubs] – it does not declare its types
+
     direction_1, direction_2, k1, k2, failed = igl.principal_curvature(
         np.ascontiguousarray(positions), np.ascontiguousarray(triangles, dtype=np.int64), radius
     )
-    return k1, k2, direction_1, direction_2, np.array(failed, dtype=np.int64)
+    return (
+        np.asarray(k1, dtype=np.float64),
+        np.asarray(k2, dtype=np.float64),
+        np.asarray(direction_1, dtype=np.float64),
+        np.asarray(direction_2, dtype=np.float64),
+        np.array(failed, dtype=np.int64),
+    )

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from .groups import sum_by_group
 from .mesh import PolygonMesh
 from .types import Flags, Floats
 
@@ -46,7 +47,7 @@ def triangle_areas(mesh: PolygonMesh) -> Floats:
 
 def polygon_areas(mesh: PolygonMesh) -> Floats:
     """Return the area of every polygon as the sum of its triangles, (m,) float64 in m²."""
-    return np.bincount(mesh.triangle_polygon, triangle_areas(mesh), mesh.polygon_count)
+    return sum_by_group(mesh.triangle_polygon, triangle_areas(mesh), mesh.polygon_count)
 
 
 def degenerate_polygons(mesh: PolygonMesh, areas: Floats) -> Flags:

@@ -7,10 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from .classification import SurfaceClass
+from .groups import connected_groups, sum_by_group
 from .surface import Surface
 from .types import Flags, Floats, Indices
 
@@ -61,11 +60,11 @@ def connect_regions(surface: Surface, face_class: Indices) -> Regions:
     """
     polygon = surface.mesh.corner_polygon[surface.edges.smooth]
     is_same = face_class[polygon[:, 0]] == face_class[polygon[:, 1]]
-    label = _components(polygon[is_same], len(face_class))
+    label = connected_groups(polygon[is_same], len(face_class))
     is_defined = face_class != SurfaceClass.UNDEFINED
     names, compact = np.unique(label[is_defined], return_inverse=True)
     count = len(names)
-    area = np.bincount(compact, surface.polygon_area[is_defined], count)
+    area = sum_by_group(compact.reshape(-1), surface.polygon_area[is_defined], count)
     order = np.argsort(-_rounded(area), kind="stable")
     rank = np.empty(count, dtype=np.int64)
     rank[order] = np.arange(count)
@@ -117,16 +116,11 @@ def absorb_small_regions(surface: Surface, face_class: Indices, min_area: float)
         chosen = small[bordering][-1]
         own = sides[is_border] == chosen
         neighbor = np.where(own[:, 0], sides[is_border, 1], sides[is_border, 0])
-        shared = np.bincount(
+        shared = sum_by_group(
             neighbor[own.any(axis=1)], length[is_border][own.any(axis=1)], regions.count
         )
         labels[regions.face_region == chosen] = regions.region_class[np.argmax(shared)]
     return labels
-
-
-def _components(pairs: Indices, count: int) -> Indices:
-    links = coo_array((np.ones(len(pairs), dtype=np.int8), (pairs[:, 0], pairs[:, 1])), (count,) * 2)
-    return connected_components(links, directed=False)[1].astype(np.int64)
 
 
 def _rounded(values: Floats) -> Floats:
@@ -147,4 +141,4 @@ def _boundary_lengths(surface: Surface, face_region: Indices, count: int) -> Flo
     is_inside = region[pairs[:, 0]] == region[pairs[:, 1]]
     is_outline: Flags = region >= 0
     is_outline[pairs[is_inside].reshape(-1)] = False
-    return np.bincount(region[is_outline], _half_edge_lengths(surface)[is_outline], count)
+    return sum_by_group(region[is_outline], _half_edge_lengths(surface)[is_outline], count)

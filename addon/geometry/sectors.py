@@ -5,9 +5,8 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
+from .groups import connected_groups, sum_by_group
 from .mesh import PolygonMesh
 from .types import Floats, Indices
 
@@ -34,9 +33,8 @@ def smooth_sectors(mesh: PolygonMesh, smooth_edges: Indices) -> tuple[Indices, I
     # other, which is the one after its half-edge's start.
     tails = np.concatenate([one, following[one]])
     heads = np.concatenate([following[other], other])
-    corner_count = len(mesh.corner_vertex)
-    links = coo_array((np.ones(len(tails), dtype=np.int8), (tails, heads)), (corner_count,) * 2)
-    sector_count, label = connected_components(links, directed=False)
+    label = connected_groups(np.stack([tails, heads], axis=1), len(mesh.corner_vertex))
+    sector_count = int(label.max()) + 1
     vertex = np.empty(sector_count, dtype=np.int64)
     vertex[label] = mesh.corner_vertex
     order = np.argsort(vertex, kind="stable")
@@ -65,7 +63,7 @@ def leading_sectors(
     (n,) int64
         Sector of every vertex, -1 for a vertex without faces.
     """
-    sector_angle = np.bincount(corner_sector, angles, len(sector_vertex))
+    sector_angle = sum_by_group(corner_sector, angles, len(sector_vertex))
     # Angles that differ by rounding only must not decide: then the first sector leads.
     order = np.lexsort((-np.arange(len(sector_vertex)), np.round(sector_angle, 9)))
     leading = np.full(vertex_count, -1, dtype=np.int64)

@@ -93,7 +93,7 @@ def _measure_classes(
     surface: Surface, face_class: Indices, regions: Regions, size: Floats
 ) -> dict[SurfaceClass, ClassMeasure]:
     total = float(surface.polygon_area.sum()) or 1.0
-    measures = {}
+    measures: dict[SurfaceClass, ClassMeasure] = {}
     for surface_class in SurfaceClass:
         of_class = face_class == surface_class
         areas = surface.polygon_area[of_class]

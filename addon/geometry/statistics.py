@@ -44,7 +44,9 @@ def weighted_percentiles(values: Floats, weights: Floats, percents: Floats) -> F
     order = np.argsort(values, kind="stable")
     total = np.cumsum(weights[order])
     middle = total - 0.5 * weights[order]
-    return np.interp(np.asarray(percents) / 100.0 * total[-1], middle, values[order])
+    return np.asarray(
+        np.interp(percents / 100.0 * total[-1], middle, values[order]), dtype=np.float64
+    )
 
 
 def summarize(values: Floats, weights: Floats) -> Summary | None:

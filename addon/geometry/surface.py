@@ -10,6 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from .creases import DEFAULT_CREASE_ANGLE, Edges, find_edges
+from .groups import sum_by_group
 from .mesh import PolygonMesh
 from .polygons import corner_angles, degenerate_polygons, polygon_area_vectors, polygon_areas
 from .sectors import leading_sectors, smooth_sectors
@@ -75,7 +76,7 @@ class Surface:
         """(s,) the share of the polygons' area that belongs to each sector, in m²."""
         sizes = np.diff(self.mesh.polygon_start)
         share = np.repeat(self.polygon_area / sizes, sizes)
-        return np.bincount(self.corner_sector, share, self.sector_count)
+        return sum_by_group(self.corner_sector, share, self.sector_count)
 
     @cached_property
     def vertex_sector(self) -> Indices:

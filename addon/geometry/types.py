@@ -13,6 +13,9 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 """Real numbers of any shape; the docstring of the user states it."""
 
+Colors = NDArray[np.float32]
+"""Rows of red, green, blue and alpha as Blender stores them."""
+
 Indices = NDArray[np.int64]
 """Whole numbers that point into another array."""
 

@@ -14,9 +14,7 @@ _handles: list[object] = []
 def enable() -> None:
     """Draw the legend in every 3D viewport from now on; does nothing where it is drawn."""
     if not _handles:
-        _handles.append(
-            SpaceView3D.draw_handler_add(draw_legend, (), "WINDOW", "POST_PIXEL")
-        )
+        _handles.append(SpaceView3D.draw_handler_add(draw_legend, (), "WINDOW", "POST_PIXEL"))
 
 
 def disable() -> None:

@@ -89,7 +89,11 @@ def _class_key(scene: Scene, objects: list[Object]) -> ClassKey:
     total = sum(areas.values()) or 1.0
     colors = class_colors(scene.curvature)
     rows = tuple(
-        (_display_color(colors[surface_class]), name, f"{100.0 * areas[surface_class] / total:.1f} %")
+        (
+            _display_color(colors[surface_class]),
+            name,
+            f"{100.0 * areas[surface_class] / total:.1f} %",
+        )
         for surface_class, name in CLASS_NAMES.items()
         if surface_class != SurfaceClass.UNDEFINED or areas[surface_class] > 0.0
     )
@@ -104,7 +108,9 @@ def _region_key(obj: Object) -> ClassKey | None:
     face_class = read_attribute(obj.data, names.FACE_CLASS)
     if face_region is None or face_class is None or not count:
         return None
-    first_face = [int(np.argmax(face_region == number)) for number in range(min(count, _MOST_REGIONS))]
+    first_face = [
+        int(np.argmax(face_region == number)) for number in range(min(count, _MOST_REGIONS))
+    ]
     colors = region_colors(np.arange(len(first_face)))[:, :3]
     rows = tuple(
         (

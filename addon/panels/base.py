@@ -23,4 +23,4 @@ def active_results_mesh(context: Context) -> Mesh | None:
     if active is None or active.type != "MESH":
         return None
     mesh = carrier_of(active).data
-    return mesh if mesh.curvature.fingerprint else None
+    return mesh if isinstance(mesh, Mesh) and mesh.curvature.fingerprint else None

@@ -74,7 +74,9 @@ def written_whole(path: Path) -> Iterator[Path]:
     if path.is_dir():
         raise FileRefusedError(f"{path}: this is a folder; give the name of a file")
     try:
-        handle, name = tempfile.mkstemp(suffix=path.suffix, prefix=f".{path.stem}-", dir=path.parent)
+        handle, name = tempfile.mkstemp(
+            suffix=path.suffix, prefix=f".{path.stem}-", dir=path.parent
+        )
     except OSError as error:
         raise FileRefusedError(
             f"{path}: cannot write into the folder {path.parent} ({error.strerror}): "

@@ -22,9 +22,7 @@ CLASS_KEYS = {
 """Names of the classes in reports, in their order there."""
 
 
-def measure_object(
-    analysis: Analysis, segmentation: Segmentation | None = None
-) -> dict[str, Any]:
+def measure_object(analysis: Analysis, segmentation: Segmentation | None = None) -> dict[str, Any]:
     """Return an object's block of the report, without its name and source.
 
     Parameters

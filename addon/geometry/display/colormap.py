@@ -10,7 +10,7 @@ from functools import cache
 
 import numpy as np
 
-from ..types import Floats
+from ..types import Colors, Floats
 
 _SAMPLES = 129
 
@@ -33,7 +33,7 @@ class ColorMap(Enum):
     SPECTRUM = "Spectrum"
 
 
-def map_colors(values: Floats, limit: float, color_map: ColorMap) -> Floats:
+def map_colors(values: Floats, limit: float, color_map: ColorMap) -> Colors:
     """Return the colors of values, with zero in the middle of the map.
 
     Parameters
@@ -83,7 +83,7 @@ def srgb_from_linear(linear: Floats) -> Floats:
 
 
 @cache
-def _linear_table(color_map: ColorMap) -> Floats:
+def _linear_table(color_map: ColorMap) -> Colors:
     linear = linear_from_srgb(srgb_ramp(color_map, _SAMPLES))
     return np.concatenate([linear, np.ones((_SAMPLES, 1))], axis=1).astype(np.float32)
 
@@ -97,7 +97,7 @@ def _diverging(low: Floats, high: Floats, place: Floats) -> Floats:
     """
     ends = [_msh_from_srgb(low), _msh_from_srgb(high)]
     middle = max(ends[0][0], ends[1][0], 88.0)
-    colors = []
+    colors: list[Floats] = []
     for p in place:
         end = ends[0] if p < 0.0 else ends[1]
         share = abs(p)

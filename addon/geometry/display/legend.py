@@ -13,11 +13,6 @@ Color = tuple[float, float, float, float]
 Measure = Callable[[str, float], float]
 """Returns the width of a text at a size, both in pixels."""
 
-_PAPER: Color = (0.09, 0.09, 0.09, 0.72)
-_INK: Color = (0.95, 0.95, 0.95, 1.0)
-_FAINT: Color = (0.72, 0.72, 0.72, 1.0)
-_OUTLINE: Color = (0.0, 0.0, 0.0, 0.45)
-
 _TEXT = 12.0
 _TITLE = 13.0
 _LINE = 19.0
@@ -27,6 +22,30 @@ _GAP = 8.0
 _BAR_HEIGHT = 168.0
 _BAR_WIDTH = 18.0
 _BAR_STEPS = 64
+
+
+@dataclass(frozen=True)
+class Theme:
+    """sRGB colors of a legend's paper, its texts and the frames of its boxes."""
+
+    paper: Color
+    ink: Color
+    faint_ink: Color
+    frame: Color
+
+
+DARK = Theme(
+    (0.09, 0.09, 0.09, 0.72),
+    (0.95, 0.95, 0.95, 1.0),
+    (0.72, 0.72, 0.72, 1.0),
+    (0.0, 0.0, 0.0, 0.45),
+)
+"""For viewports, whatever is behind."""
+
+LIGHT = Theme(
+    (1.0, 1.0, 1.0, 0.85), (0.12, 0.12, 0.12, 1.0), (0.38, 0.38, 0.38, 1.0), (0.0, 0.0, 0.0, 0.6)
+)
+"""For pictures on light paper."""
 
 
 @dataclass(frozen=True)
@@ -84,7 +103,7 @@ class Layout:
     texts: tuple[Text, ...]
 
 
-def lay_out(legend: Legend, scale: float, measure: Measure) -> Layout:
+def lay_out(legend: Legend, scale: float, measure: Measure, theme: Theme = DARK) -> Layout:
     """Return the places of a legend's parts.
 
     Parameters
@@ -94,14 +113,15 @@ def lay_out(legend: Legend, scale: float, measure: Measure) -> Layout:
         Pixels per unit of layout; 1 on an ordinary screen.
     measure : callable
         Width of a text at a size, both in pixels.
+    theme : Theme
 
     Returns
     -------
     Layout
     """
     if isinstance(legend, ColorBar):
-        return _lay_out_bar(legend, scale, measure)
-    return _lay_out_key(legend, scale, measure)
+        return _lay_out_bar(legend, scale, measure, theme)
+    return _lay_out_key(legend, scale, measure, theme)
 
 
 def tick_label(value: float) -> str:
@@ -110,7 +130,7 @@ def tick_label(value: float) -> str:
     return f"\u2212{text}" if value < 0 else text
 
 
-def _lay_out_bar(bar: ColorBar, scale: float, measure: Measure) -> Layout:
+def _lay_out_bar(bar: ColorBar, scale: float, measure: Measure, theme: Theme) -> Layout:
     values = [bar.limit * step / 2.0 for step in range(-2, 3)]
     labels = [tick_label(value) for value in values]
     title = f"{bar.title} ({bar.unit})"
@@ -123,10 +143,10 @@ def _lay_out_bar(bar: ColorBar, scale: float, measure: Measure) -> Layout:
     bottom = (_PADDING + _LINE * len(bar.notes) + _GAP) * scale
     step = _BAR_HEIGHT * scale / _BAR_STEPS
     left = _PADDING * scale
-    boxes = [_outline(left, bottom, _BAR_WIDTH * scale, _BAR_HEIGHT * scale, scale)]
+    boxes = [_frame(left, bottom, _BAR_WIDTH * scale, _BAR_HEIGHT * scale, scale, theme)]
     boxes += [
-        Rectangle(left, bottom + i * step, _BAR_WIDTH * scale, step, (*map(float, color), 1.0))
-        for i, color in enumerate(srgb_ramp(bar.color_map, _BAR_STEPS))
+        Rectangle(left, bottom + i * step, _BAR_WIDTH * scale, step, (red, green, blue, 1.0))
+        for i, (red, green, blue) in enumerate(srgb_ramp(bar.color_map, _BAR_STEPS).tolist())
     ]
     texts = [
         Text(
@@ -134,15 +154,15 @@ def _lay_out_bar(bar: ColorBar, scale: float, measure: Measure) -> Layout:
             bottom + _BAR_HEIGHT * scale * i / 4.0 - 0.35 * _TEXT * scale,
             _TEXT * scale,
             label,
-            _INK,
+            theme.ink,
         )
         for i, label in enumerate(labels)
     ]
     top = bottom + (_BAR_HEIGHT + _GAP + 4.0) * scale
-    return _finish(boxes, texts, title, bar.notes, width, top, scale)
+    return _finish(boxes, texts, title, bar.notes, width, top, scale, theme)
 
 
-def _lay_out_key(key: ClassKey, scale: float, measure: Measure) -> Layout:
+def _lay_out_key(key: ClassKey, scale: float, measure: Measure, theme: Theme) -> Layout:
     name_width = max(measure(name, _TEXT * scale) for _, name, _ in key.rows)
     share_width = max(measure(share, _TEXT * scale) for _, _, share in key.rows)
     width = max(
@@ -159,26 +179,30 @@ def _lay_out_key(key: ClassKey, scale: float, measure: Measure) -> Layout:
         base = bottom + i * _LINE * scale
         side = _SWATCH * scale
         boxes += [
-            _outline(left, base, side, side, scale),
+            _frame(left, base, side, side, scale, theme),
             Rectangle(left, base, side, side, (*color, 1.0)),
         ]
         baseline = base + 2.5 * scale
         texts += [
-            Text(left + (_SWATCH + _GAP) * scale, baseline, _TEXT * scale, name, _INK),
+            Text(left + (_SWATCH + _GAP) * scale, baseline, _TEXT * scale, name, theme.ink),
             Text(
                 left + width - measure(share, _TEXT * scale),
                 baseline,
                 _TEXT * scale,
                 share,
-                _INK,
+                theme.ink,
             ),
         ]
     top = bottom + (len(key.rows) * _LINE + 4.0) * scale
-    return _finish(boxes, texts, key.title, key.notes, width, top, scale)
+    return _finish(boxes, texts, key.title, key.notes, width, top, scale, theme)
 
 
-def _outline(left: float, bottom: float, width: float, height: float, scale: float) -> Rectangle:
-    return Rectangle(left - scale, bottom - scale, width + 2 * scale, height + 2 * scale, _OUTLINE)
+def _frame(
+    left: float, bottom: float, width: float, height: float, line: float, theme: Theme
+) -> Rectangle:
+    return Rectangle(
+        left - line, bottom - line, width + 2.0 * line, height + 2.0 * line, theme.frame
+    )
 
 
 def _finish(
@@ -189,15 +213,16 @@ def _finish(
     width: float,
     top: float,
     scale: float,
+    theme: Theme,
 ) -> Layout:
     """Add the title above, the notes below and the paper behind."""
     left = _PADDING * scale
     total_width = width + 2.0 * left
     height = top + (_TITLE + _PADDING) * scale
-    lines = [Text(left, top, _TITLE * scale, title, _INK)]
+    lines = [Text(left, top, _TITLE * scale, title, theme.ink)]
     lines += [
-        Text(left, (_PADDING + 3.0 + _LINE * i) * scale, _TEXT * scale, note, _FAINT)
+        Text(left, (_PADDING + 3.0 + _LINE * i) * scale, _TEXT * scale, note, theme.faint_ink)
         for i, note in enumerate(reversed(notes))
     ]
-    paper = Rectangle(0.0, 0.0, total_width, height, _PAPER)
+    paper = Rectangle(0.0, 0.0, total_width, height, theme.paper)
     return Layout(total_width, height, (paper, *boxes), (*lines, *texts))

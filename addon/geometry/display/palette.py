@@ -9,7 +9,7 @@ import colorsys
 import numpy as np
 
 from ..classification import SurfaceClass
-from ..types import Floats, Indices
+from ..types import Colors, Indices
 from .colormap import linear_from_srgb
 
 CLASS_NAMES = {
@@ -37,12 +37,13 @@ _GOLDEN = 0.6180339887498949
 def default_class_colors() -> dict[SurfaceClass, tuple[float, float, float]]:
     """Return the default class colors in scene-linear red, green, blue."""
     return {
-        surface_class: tuple(float(c) for c in linear_from_srgb(np.array(color)))
+        surface_class: (float(red), float(green), float(blue))
         for surface_class, color in CLASS_COLORS.items()
+        for red, green, blue in [linear_from_srgb(np.array(color))]
     }
 
 
-def class_color_table(colors: dict[SurfaceClass, tuple[float, float, float]]) -> Floats:
+def class_color_table(colors: dict[SurfaceClass, tuple[float, float, float]]) -> Colors:
     """Return colors by class number + 1, (5, 4) float32 with an alpha of 1."""
     table = np.ones((len(SurfaceClass), 4), dtype=np.float32)
     for surface_class, color in colors.items():
@@ -50,7 +51,7 @@ def class_color_table(colors: dict[SurfaceClass, tuple[float, float, float]]) ->
     return table
 
 
-def region_colors(face_region: Indices) -> Floats:
+def region_colors(face_region: Indices) -> Colors:
     """Return a scene-linear color per face, the same for the same region number.
 
     Parameters
