@@ -45,6 +45,9 @@ def _load_checkout() -> None:
 def pytest_collect_file(file_path: Path) -> None:
     """Refuse to test in Blender without a zip: passing on the checkout would prove nothing."""
     level = file_path.relative_to(ROOT / "tests").parts[0]
+    if level == "window":
+        message = "tests/window runs in a windowed Blender: run `python3 dev.py window`"
+        raise pytest.UsageError(message)
     if level in _BLENDER_LEVELS and ZIP_VARIABLE not in os.environ:
         message = f"tests/{level} needs the built zip: run `python3 dev.py test`"
         raise pytest.UsageError(message)

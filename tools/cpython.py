@@ -9,7 +9,6 @@ want a newer C library, so the sources are built; they come from the mirror this
 from __future__ import annotations
 
 import os
-import re
 import shutil
 from pathlib import Path
 
@@ -68,7 +67,7 @@ def _fetch(version: str, suite: str, work: Path) -> Path:
     for name in ("lists/partial", "archives/partial"):
         (work / name).mkdir(parents=True)
     sources = work / "sources.list"
-    sources.write_text(f"deb-src {_mirror()} {suite} main\n", encoding="utf-8")
+    sources.write_text(f"deb-src {debian.mirror()} {suite} main\n", encoding="utf-8")
     # Lists and settings of its own, so that the machine's apt is left as it is. As root, apt would
     # otherwise fetch as a user who cannot write here.
     options = [
@@ -86,18 +85,6 @@ def _fetch(version: str, suite: str, work: Path) -> Path:
         folder=work,
     )
     return next(work.glob("*.orig.tar.*z"))
-
-
-def _mirror() -> str:
-    """Return the Debian mirror in this machine's own apt settings."""
-    settings = [Path("/etc/apt/sources.list"), *Path("/etc/apt/sources.list.d").glob("*")]
-    texts = [path.read_text(encoding="utf-8") for path in settings if path.is_file()]
-    entries = re.findall(
-        r"^(?:URIs:|deb(?: \[.*?\])?)\s*(\S+/debian)/?\s*(?:$|\s)", "\n".join(texts), re.M
-    )
-    if not entries:
-        raise DevError("no Debian mirror is named in /etc/apt/sources.list or sources.list.d")
-    return entries[0]
 
 
 def _unpack(archive: Path, work: Path) -> Path:

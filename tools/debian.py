@@ -6,9 +6,11 @@ from __future__ import annotations
 
 import functools
 import os
+import re
 import shutil
 import subprocess
 from collections.abc import Sequence
+from pathlib import Path
 
 from .console import step
 from .errors import DevError
@@ -78,3 +80,15 @@ def apt(*arguments: str) -> None:
         f"apt-get {arguments[0]} failed",
         environment={**os.environ, "DEBIAN_FRONTEND": "noninteractive"},
     )
+
+
+def mirror() -> str:
+    """Return the Debian mirror in this machine's own apt settings."""
+    settings = [Path("/etc/apt/sources.list"), *Path("/etc/apt/sources.list.d").glob("*")]
+    texts = [path.read_text(encoding="utf-8") for path in settings if path.is_file()]
+    entries = re.findall(
+        r"^(?:URIs:|deb(?: \[.*?\])?)\s*(\S+/debian)/?\s*(?:$|\s)", "\n".join(texts), re.M
+    )
+    if not entries:
+        raise DevError("no Debian mirror is named in /etc/apt/sources.list or sources.list.d")
+    return entries[0]

@@ -19,18 +19,24 @@ from .processes import python_environment
 
 MODEL = ROOT / "assets" / "models" / "pavilion.obj"
 
-# Blender's `--command curvature …` without a Blender program: the function registered for it is
-# called in the bpy module, with the extension installed from the zip.
+# `blender --command curvature …` without a Blender program: the function that the installed
+# extension registers for it is called in the bpy module.
 _SESSION = """
 import os, sys
 import bpy
 zip_file, *arguments = sys.argv[1:]
+commands = {}
+register = bpy.utils.register_cli_command
+
+def remember(name, run):
+    commands[name] = run
+    return register(name, run)
+
+bpy.utils.register_cli_command = remember
 bpy.ops.extensions.package_install_files(
     filepath=zip_file, repo="user_default", enable_on_install=True
 )
-import importlib
-cli = importlib.import_module("bl_ext.user_default.architectural_curvature.addon.cli")
-status = cli.main(arguments)
+status = commands["curvature"](arguments)
 sys.stdout.flush()
 os._exit(status)
 """

@@ -97,7 +97,9 @@ def _parser() -> argparse.ArgumentParser:
         run=_wheels
     )
 
-    window = commands.add_parser("window", help="test in a windowed Blender on a virtual screen")
+    window = commands.add_parser(
+        "window", help="test in a windowed Blender; arguments after -- go to pytest"
+    )
     window.add_argument(
         "--suite",
         choices=("trixie", "sid"),
@@ -175,7 +177,7 @@ def _wheels(_options: argparse.Namespace) -> int:
 def _window(options: argparse.Namespace) -> int:
     from .window import run
 
-    return run(options.suite)
+    return run.run(options.suite, options.pytest)
 
 
 def _lock(_options: argparse.Namespace) -> int:

@@ -64,7 +64,7 @@ ENVIRONMENTS = {
             requirements=(
                 *("ruff", "basedpyright", "fake-bpy-module-4.2==20250130"),
                 *("numpy==2.3.4", "scipy==1.15.3", "scipy-stubs==1.15.3.*", "libigl==2.6.3"),
-                *("pytest", "hypothesis"),
+                *("pytest", "hypothesis", "pillow"),
             ),
         ),
         *(

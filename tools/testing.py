@@ -136,10 +136,21 @@ def run_stage(stage: Stage, options: Sequence[str]) -> Counts:
             env=python_environment(BLENDER_USER_RESOURCES=f"{name}/blender", **stage.variables),
             check=False,
         ).returncode
-        return _read_counts(report, status, stage.name)
+        return read_counts(report, status, stage.name)
 
 
-def _read_counts(report: Path, status: int, name: str) -> Counts:
+def read_counts(report: Path, status: int, name: str) -> Counts:
+    """Return the counts in pytest's JUnit report; a run that died counts as a failed test.
+
+    Parameters
+    ----------
+    report : Path
+        The report, which may be missing.
+    status : int
+        pytest's exit status.
+    name : str
+        What to call the run in warnings.
+    """
     if not report.is_file():
         warn(f"{name}: pytest ended with status {status} before it reported")
         return Counts(failed=1)
