@@ -228,6 +228,19 @@ class CURVATURE_PG_class(PropertyGroup):
     )
 
 
+class CURVATURE_PG_region(PropertyGroup):
+    """One connected area of a class."""
+
+    surface_class: EnumProperty(
+        name="Class", description="Class of the region's faces", items=CLASS_ITEMS
+    )
+    area: FloatProperty(name="Area", description="Area of the faces in m²")
+    min_radius: FloatProperty(
+        name="Smallest Radius",
+        description="Radius in meters that 99 % of the area does not fall below; 0 if flat",
+    )
+
+
 class CURVATURE_PG_results(PropertyGroup):
     """Results that a mesh carries beside its attributes; empty where nothing was analyzed."""
 
@@ -249,6 +262,10 @@ class CURVATURE_PG_results(PropertyGroup):
     classes: CollectionProperty(
         type=CURVATURE_PG_class, name="Classes", description="Measures of every class"
     )
+    regions: CollectionProperty(
+        type=CURVATURE_PG_region, name="Regions", description="The largest regions, by area"
+    )
+    region_count: IntProperty(name="Region Count", description="Number of all regions")
     warnings: CollectionProperty(
         type=CURVATURE_PG_warning, name="Warnings", description="What is unsound about the model"
     )
@@ -286,6 +303,7 @@ _CLASSES = (
     CURVATURE_PG_settings,
     CURVATURE_PG_warning,
     CURVATURE_PG_class,
+    CURVATURE_PG_region,
     CURVATURE_PG_results,
     CURVATURE_PG_slot,
     CURVATURE_PG_object,

@@ -157,6 +157,7 @@ def _for_each(
 def _write_analysis(
     context: Context, subject: Subject, settings: AnalysisSettings, tolerance: Tolerance
 ) -> Object:
+    _drop_results_elsewhere(context, subject)
     carrier = prepare_carrier(subject, context.scene, context.evaluated_depsgraph_get())
     if not results.is_current(carrier.data, subject):
         results.write_curvature(subject, carrier, settings)
@@ -164,6 +165,16 @@ def _write_analysis(
     results.write_point_types(carrier.data, subject.analysis, tolerance)
     reveal_carrier(context, subject.source, carrier)
     return carrier
+
+
+def _drop_results_elsewhere(context: Context, subject: Subject) -> None:
+    """Drop what an earlier run left where the results do not belong any more."""
+    source = subject.source
+    if subject.has_base_topology:
+        discard_carrier(context, source)
+        remove_if_empty(source)
+    elif source.data.library is None:
+        results.clear_results(source.data)
 
 
 def _tolerance(subject: Subject, panel: SegmentationSettings) -> Tolerance:

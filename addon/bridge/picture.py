@@ -14,6 +14,7 @@ import bpy
 import numpy as np
 from bpy.types import Object, Scene
 
+from ..geometry.display.colormap import linear_from_srgb
 from ..geometry.display.legend import LIGHT, Layout, Legend, lay_out
 from ..geometry.types import AnyArray, Floats
 from ..report.files import FileRefusedError, written_whole
@@ -214,7 +215,7 @@ class _Lettering:
         for text in layout.texts:
             obj = self._add(text.string, text.size)
             obj.location = (text.left, text.bottom, 0.0)
-            obj.color = text.color
+            obj.color = (*linear_from_srgb(np.array(text.color[:3])), text.color[3])
 
     def _add(self, string: str, size: float) -> Object:
         curve = bpy.data.curves.new("Curvature Text", "FONT")

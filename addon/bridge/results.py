@@ -21,6 +21,9 @@ from . import names
 from .attributes import remove_attributes, write_attribute
 from .subject import Subject
 
+#: Regions beyond these are in the reports, but not at hand for panels and legends.
+MOST_LISTED_REGIONS = 200
+
 
 def write_curvature(subject: Subject, carrier: Object, settings: AnalysisSettings) -> None:
     """Write curvatures and directions of an analysis to the carrier's mesh.
@@ -54,8 +57,7 @@ def write_curvature(subject: Subject, carrier: Object, settings: AnalysisSetting
     results = mesh.curvature
     if results.fingerprint != subject.fingerprint:
         remove_attributes(mesh, names.CLASS_ATTRIBUTES)
-        results.is_segmented = False
-        results.classes.clear()
+        _forget_classes(mesh)
     results.fingerprint = subject.fingerprint
     results.crease_angle = settings.crease_angle
     results.flip_normals = settings.flip_normals
@@ -95,6 +97,7 @@ def write_segmentation(subject: Subject, carrier: Object, segmentation: Segmenta
         row.area, row.share = measure.area, measure.share
         row.faces, row.regions = measure.faces, measure.regions
         row.min_radius = measure.min_radius or 0.0
+    _write_regions(mesh, segmentation)
     _write_summary(mesh, subject, measure_object(subject.analysis, segmentation))
 
 
@@ -110,10 +113,28 @@ def clear_results(mesh: Mesh) -> bool:
     results = mesh.curvature
     had_results = bool(removed or results.fingerprint)
     results.fingerprint = results.report = ""
-    results.is_segmented = False
-    results.classes.clear()
+    _forget_classes(mesh)
     results.warnings.clear()
     return had_results
+
+
+def _forget_classes(mesh: Mesh) -> None:
+    results = mesh.curvature
+    results.is_segmented = False
+    results.region_count = 0
+    results.classes.clear()
+    results.regions.clear()
+
+
+def _write_regions(mesh: Mesh, segmentation: Segmentation) -> None:
+    regions, results = segmentation.regions, mesh.curvature
+    results.region_count = regions.count
+    results.regions.clear()
+    for number in range(min(regions.count, MOST_LISTED_REGIONS)):
+        row = results.regions.add()
+        row.surface_class = SurfaceClass(int(regions.region_class[number])).name
+        row.area = float(regions.area[number])
+        row.min_radius = segmentation.region_min_radius[number] or 0.0
 
 
 def _write_summary(mesh: Mesh, subject: Subject, block: dict[str, Any]) -> None:

@@ -55,8 +55,10 @@ def source_of(obj: Object) -> Object:
 
 def carrier_of(obj: Object) -> Object:
     """Return the object that carries the results of an object: a copy of its own, or itself."""
-    copy = _own_copy(source_of(obj))
-    return copy if copy is not None and copy.data.curvature.fingerprint else source_of(obj)
+    source = source_of(obj)
+    if source.type == "MESH" and source.data.curvature.fingerprint:
+        return source
+    return _own_copy(source) or source
 
 
 def selected_subjects(context: Context) -> list[Object]:

@@ -74,7 +74,8 @@ def _rounding_warning(surface: Surface) -> tuple[str, ...]:
     mesh = surface.mesh
     start = mesh.vertices[mesh.corner_vertex]
     lengths = np.linalg.norm(start[mesh.next_corner] - start, axis=1)
-    if mesh.resolution <= _COARSE_ROUNDING * float(np.median(lengths)):
+    median = np.sort(lengths)[len(lengths) // 2]
+    if mesh.resolution <= _COARSE_ROUNDING * median:
         return ()
     return (
         f"coordinates are so far from the origin that they are rounded to "

@@ -8,7 +8,6 @@ import numpy as np
 from bpy.types import Object, Scene
 
 from ..bridge import names, units
-from ..bridge.attributes import read_attribute
 from ..bridge.display import CURVATURES, analyzed_objects, class_colors
 from ..bridge.subject import carrier_of
 from ..geometry.classification import SurfaceClass
@@ -101,27 +100,17 @@ def _class_key(scene: Scene, objects: list[Object]) -> ClassKey:
     return ClassKey("Curvature Class", rows, notes)
 
 
-def _region_key(obj: Object) -> ClassKey | None:
+def _region_key(obj: Object) -> ClassKey:
     results = obj.data.curvature
-    count = sum(row.regions for row in results.classes)
-    face_region = read_attribute(obj.data, names.REGION)
-    face_class = read_attribute(obj.data, names.FACE_CLASS)
-    if face_region is None or face_class is None or not count:
-        return None
-    first_face = [
-        int(np.argmax(face_region == number)) for number in range(min(count, _MOST_REGIONS))
-    ]
-    colors = region_colors(np.arange(len(first_face)))[:, :3]
+    listed = list(results.regions[:_MOST_REGIONS])
+    colors = region_colors(np.arange(len(listed)))[:, :3].tolist()
     rows = tuple(
-        (
-            _display_color(tuple(colors[number])),
-            f"{number + 1}",
-            CLASS_NAMES[SurfaceClass(int(face_class[face]))],
-        )
-        for number, face in enumerate(first_face)
+        (_display_color(color), str(number), CLASS_NAMES[SurfaceClass[row.surface_class]])
+        for number, (color, row) in enumerate(zip(colors, listed, strict=True), 1)
     )
-    notes = (f"{count} regions, the largest first",)
-    return ClassKey("Curvature Regions", rows, notes)
+    count = results.region_count
+    more = (f"and {count - len(listed)} smaller ones",) if count > len(listed) else ()
+    return ClassKey("Curvature Regions", rows, more)
 
 
 def _display_color(linear: tuple[float, float, float]) -> tuple[float, float, float]:
