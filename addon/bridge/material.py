@@ -30,9 +30,6 @@ def show(obj: Object, is_shown: bool) -> None:
 
 
 def _cover(obj: Object) -> None:
-    if not obj.material_slots:
-        # An object has as many slots as its mesh has materials: an empty one makes room.
-        obj.data.materials.append(None)
     material = _curvature_material()
     obj.curvature.slots.clear()
     for slot in obj.material_slots:
@@ -40,6 +37,10 @@ def _cover(obj: Object) -> None:
         kept.link = slot.link
         if slot.link == "OBJECT":
             kept.material = slot.material
+    if not obj.material_slots:
+        # An object has as many slots as its mesh has materials: an empty one makes room.
+        obj.data.materials.append(None)
+    for slot in obj.material_slots:
         slot.link = "OBJECT"
         slot.material = material
 
@@ -48,6 +49,9 @@ def _uncover(obj: Object) -> None:
     for slot, kept in zip(obj.material_slots, obj.curvature.slots, strict=False):
         slot.material = kept.material
         slot.link = kept.link
+    if not obj.curvature.slots and len(obj.data.materials) == 1:
+        obj.material_slots[0].material = None
+        obj.data.materials.clear()
     obj.curvature.slots.clear()
 
 
