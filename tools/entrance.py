@@ -96,6 +96,9 @@ def _parser() -> argparse.ArgumentParser:
     commands.add_parser("wheels", help="fetch the wheels of all platforms").set_defaults(
         run=_wheels
     )
+    commands.add_parser(
+        "samples", help="write the sample models of assets/models from their formulas"
+    ).set_defaults(run=_samples)
 
     window = commands.add_parser(
         "window", help="test in a windowed Blender; arguments after -- go to pytest"
@@ -171,6 +174,14 @@ def _wheels(_options: argparse.Namespace) -> int:
 
     for path in wheels.fetch(wheels.table()):
         print(path)
+    return 0
+
+
+def _samples(_options: argparse.Namespace) -> int:
+    from . import samples
+
+    for path in samples.write(ROOT / "assets" / "models"):
+        print(path.relative_to(ROOT))
     return 0
 
 
