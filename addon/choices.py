@@ -49,8 +49,11 @@ def segmentation_settings(
 
 
 def _choose(context: Context, operator: Operator | None, name: str) -> float:
-    """Return an operator's value where it has one that is not 0, else the scene's."""
+    """Return what an operator was told, else the scene's setting; a number of 0 tells nothing."""
     value = getattr(context.scene.curvature, name)
-    if operator is not None and getattr(operator, name, 0):
-        value = getattr(operator, name)
+    if operator is not None and name in operator.properties.bl_rna.properties:
+        told = getattr(operator, name)
+        is_told = operator.properties.is_property_set(name)
+        if is_told and (told or isinstance(told, bool)):
+            value = told
     return as_typed(value)
