@@ -43,11 +43,11 @@ def build_from_debian(version: str) -> Path:
     if suite is None:
         raise DevError(f"no Debian suite is known to have the sources of Python {version}")
     home = _home(version)
-    with exclusive(home.with_suffix(".lock")):
+    with exclusive(home.with_name(f"{home.name}.lock")):
         if built_python(version).is_file():
             return built_python(version)
         debian.ensure_packages(_BUILD_PACKAGES, f"building Python {version}")
-        work = home.with_suffix(".partial")
+        work = home.with_name(f"{home.name}.partial")
         shutil.rmtree(work, ignore_errors=True)
         work.mkdir(parents=True)
         with step(f"fetching the sources of Python {version} from Debian {suite}"):

@@ -3,10 +3,10 @@
 """Open a model, look at the sidebar's tab, press the primary button."""
 
 import bpy
+from buttons import press
 from session import (
     Steps,
     in_view3d,
-    press,
     record,
     region,
     shot,

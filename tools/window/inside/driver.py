@@ -3,7 +3,7 @@
 """Runs beside a windowed Blender: starts the screen and Blender, takes pictures, moves the mouse.
 
 Blender cannot take a picture of itself here (its screenshot operator gives a black one), and
-simulated events would make it deaf to real ones: both are done from outside when `session` asks.
+simulated events would make it deaf to real ones: both are done from outside when `player` asks.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def play(scenario: Path, arguments: list[str], user: Path, results: Path) -> int
         blender = subprocess.Popen(
             [
                 *("blender", "--offline-mode", "--window-geometry", "0", "0", width, height),
-                *("--python-exit-code", "1", "--python", str(_HERE / "session.py")),
+                *("--python-exit-code", "1", "--python", str(_HERE / "player.py")),
                 *("--", str(scenario), str(results), *arguments),
             ],
             env={**_environment(user), "DISPLAY": display},

@@ -6,7 +6,8 @@ A scenario is a generator function `scenario(*arguments)` in a file of its own. 
 yields whenever the screen has to catch up or something has to happen outside Blender::
 
     import bpy
-    from session import click, press, record, show_sidebar, shot, wait
+    from buttons import press
+    from session import record, shot, show_sidebar, wait
 
 
     def scenario(model):
@@ -23,24 +24,11 @@ that fails leaves its traceback in result.json.
 
 from __future__ import annotations
 
-import importlib.util
-import json
-import os
-import re
-import sys
-import time
-import traceback
 from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from pathlib import Path
-from typing import NoReturn
 
 import bpy
-
-_POLL_SECONDS = 0.03
-_ANSWER_LIMIT = 30.0
-_START_SECONDS = 1.5
 
 
 @dataclass(frozen=True)
@@ -53,12 +41,12 @@ class Step:
 
 
 Steps = Generator[Step, None, None]
-_recorded: dict[str, object] = {}
+recorded: dict[str, object] = {}
 
 
 def record(**values: object) -> None:
     """Keep values for the judging tests, in result.json."""
-    _recorded.update(values)
+    recorded.update(values)
 
 
 def wait(seconds: float) -> Step:
@@ -157,155 +145,7 @@ def show_sidebar(tab: str) -> Steps:
     yield wait(0.5)
 
 
-def find(target: str) -> Generator[Step, None, tuple[float, float]]:
-    """Find a button of the sidebar by moving the mouse down over it.
-
-    Parameters
-    ----------
-    target : str
-        An operator ("curvature.segment") or the end of a property's path ("curvature.panel_size").
-
-    Returns
-    -------
-    tuple of float
-        The place of the button.
-
-    Raises
-    ------
-    LookupError
-        If no such button can be seen; it names those that were.
-    """
-    sidebar = region("UI")
-    seen: list[str] = []
-    row = 20 * bpy.context.preferences.system.ui_scale
-    # Rows may hold several buttons: they are crossed at two places.
-    for share in (0.7, 0.35):
-        x = sidebar.x + sidebar.width * share
-        y = sidebar.y + sidebar.height - row / 4
-        while y > sidebar.y:
-            yield move(x, y)
-            yield wait(0.06)
-            under = _button_under_mouse()
-            if re.search(rf"(^|\.){re.escape(target)}(\(|$)", under):
-                return x, y
-            seen.append(under)
-            y -= row / 2
-    known = sorted(set(seen) - {""})
-    message = f"no button for {target} in the sidebar; there are {', '.join(known) or 'none'}"
-    raise LookupError(message)
-
-
-def press(target: str) -> Steps:
-    """Find a button of the sidebar and click it, see `find`."""
-    x, y = yield from find(target)
-    yield click(x, y)
-    yield wait(0.3)
-    yield from leave()
-
-
 def leave() -> Steps:
     """Move the mouse to where it highlights nothing."""
     yield move(window().width / 2, 2)
     yield wait(0.2)
-
-
-def _button_under_mouse() -> str:
-    """Ask Blender what the button under the mouse is: a command, a property's path, or nothing."""
-    manager = bpy.context.window_manager
-    manager.clipboard = ""
-    with in_view3d("UI"):
-        for ask in (bpy.ops.ui.copy_python_command_button, bpy.ops.ui.copy_data_path_button):
-            if ask.poll():
-                ask()
-                break
-    return manager.clipboard.removeprefix("bpy.ops.")
-
-
-class _Player:
-    """Carries out a scenario's steps, one at a time, from a timer of Blender's."""
-
-    def __init__(self, steps: Steps, results: Path) -> None:
-        self._steps = steps
-        self._results = results
-        self._waiting: Iterator[float] = iter(())
-        self._start = time.monotonic()
-
-    def tick(self) -> float:
-        """Go on; return after how many seconds Blender shall call again."""
-        try:
-            return self._next_pause()
-        except StopIteration:
-            self._finish(error=None)
-        except BaseException:  # noqa: BLE001 - Blender would go on for ever without a scenario
-            self._finish(error=traceback.format_exc())
-
-    def _next_pause(self) -> float:
-        pause = next(self._waiting, None)
-        while pause is None:
-            self._waiting = self._carry_out(next(self._steps))
-            pause = next(self._waiting, None)
-        return pause
-
-    def _carry_out(self, step: Step) -> Iterator[float]:
-        if step.outside:
-            yield from self._ask(step.outside)
-        elif step.condition is None:
-            yield step.seconds
-        else:
-            end = time.monotonic() + step.seconds
-            while not step.condition():
-                if time.monotonic() > end:
-                    message = f"a condition did not come true in {step.seconds} s"
-                    raise TimeoutError(message)
-                yield _POLL_SECONDS
-
-    def _ask(self, outside: dict[str, object]) -> Iterator[float]:
-        if "shot" in outside:
-            yield 0.4  # until what was tagged has been drawn
-        # Into blender.log, between what Blender and the extension say.
-        print(f"session: {time.monotonic() - self._start:6.2f} s: {outside}", flush=True)
-        request = self._results / "request.json"
-        partial = request.with_suffix(".partial")
-        partial.write_text(json.dumps(outside), encoding="utf-8")
-        partial.rename(request)
-        end = time.monotonic() + _ANSWER_LIMIT
-        while request.exists():
-            if time.monotonic() > end:
-                message = f"the driver did not answer {outside}"
-                raise TimeoutError(message)
-            yield _POLL_SECONDS
-
-    def _finish(self, error: str | None) -> NoReturn:
-        result = {
-            "error": error,
-            "blender": bpy.app.version_string,
-            "window": [window().width, window().height],
-            **_recorded,
-        }
-        path = self._results / "result.json"
-        path.write_text(json.dumps(result, indent=1), encoding="utf-8")
-        sys.stdout.flush()
-        sys.stderr.flush()
-        # A timer cannot end Blender with a status in another way.
-        os._exit(1 if error else 0)
-
-
-def _start() -> None:
-    scenario_file, results, *arguments = sys.argv[sys.argv.index("--") + 1 :]
-    preferences = bpy.context.preferences
-    # What is set here would be written to the user's preferences on quitting.
-    preferences.use_preferences_save = False
-    preferences.view.show_splash = False
-    # The scenario imports from this very module.
-    sys.modules["session"] = sys.modules[__name__]
-    spec = importlib.util.spec_from_file_location("played_scenario", scenario_file)
-    assert spec is not None  # noqa: S101 - for the type checker
-    assert spec.loader is not None  # noqa: S101
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    player = _Player(module.scenario(*arguments), Path(results))
-    bpy.app.timers.register(player.tick, first_interval=_START_SECONDS, persistent=True)
-
-
-if __name__ == "__main__":
-    _start()
