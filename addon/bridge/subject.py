@@ -5,8 +5,6 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 
 import bpy
@@ -19,6 +17,7 @@ from ..geometry.settings import AnalysisSettings
 from ..geometry.types import Floats, Progress
 from . import cache
 from .collection import link_beside
+from .evaluation import evaluated_mesh, evaluated_object
 from .frame import meters_from_object
 from .mesh import read_array, read_polygon_mesh
 from .names import ATTRIBUTES
@@ -132,9 +131,10 @@ def prepare_carrier(subject: Subject, scene: Scene, depsgraph: Depsgraph) -> Obj
     if copy is not None and copy.data.curvature.fingerprint == subject.fingerprint:
         copy.matrix_world = source.matrix_world
         return copy
-    mesh = bpy.data.meshes.new_from_object(
-        source.evaluated_get(depsgraph), preserve_all_data_layers=True, depsgraph=depsgraph
-    )
+    with evaluated_object(source, depsgraph) as evaluated:
+        mesh = bpy.data.meshes.new_from_object(
+            evaluated, preserve_all_data_layers=True, depsgraph=depsgraph
+        )
     mesh.name = f"{source.name} Curvature"
     for name in ATTRIBUTES:
         if name in mesh.attributes:
@@ -156,13 +156,17 @@ def reveal_carrier(context: Context, source: Object, carrier: Object) -> None:
     """Hide a source behind the copy that carries its results, and select the copy instead."""
     if carrier == source:
         return
-    was_active = context.view_layer.objects.active == source
-    source.select_set(False)
-    source.hide_set(True)
-    carrier.hide_set(False)
-    carrier.select_set(True)
-    if was_active:
-        context.view_layer.objects.active = carrier
+    objects = context.view_layer.objects
+    was_active = objects.active == source
+    # Either may lie in a collection that is excluded from the view layer.
+    if objects.get(source.name) == source:
+        source.select_set(False)
+        source.hide_set(True)
+    if objects.get(carrier.name) == carrier:
+        carrier.hide_set(False)
+        carrier.select_set(True)
+        if was_active:
+            objects.active = carrier
 
 
 def discard_carrier(context: Context, source: Object) -> bool:
@@ -180,16 +184,6 @@ def discard_carrier(context: Context, source: Object) -> bool:
         if was_active:
             context.view_layer.objects.active = source
     return True
-
-
-@contextmanager
-def evaluated_mesh(obj: Object, depsgraph: Depsgraph) -> Iterator[Mesh]:
-    """Give an object's mesh with its modifiers applied, as long as the block runs."""
-    evaluated = obj.evaluated_get(depsgraph)
-    try:
-        yield evaluated.to_mesh()
-    finally:
-        evaluated.to_mesh_clear()
 
 
 def _own_copy(source: Object) -> Object | None:
