@@ -52,14 +52,14 @@ def _redraw(_settings: PropertyGroup, context: Context) -> None:
     viewport.redraw(context)
 
 
-def _length_in_scene_units(name: str) -> dict[str, object]:
-    """Return accessors that show a length stored in meters in the units of the scene."""
+def _in_scene_units(name: str, dimension: int = 1) -> dict[str, object]:
+    """Return accessors that show a length (or area, dimension 2) in meters in the scene's units."""
 
     def read(settings: PropertyGroup) -> float:
-        return getattr(settings, name) / units.meters_per_unit(settings.id_data)
+        return getattr(settings, name) / units.meters_per_unit(settings.id_data) ** dimension
 
     def write(settings: PropertyGroup, value: float) -> None:
-        setattr(settings, name, value * units.meters_per_unit(settings.id_data))
+        setattr(settings, name, value * units.meters_per_unit(settings.id_data) ** dimension)
 
     return {"get": read, "set": write}
 
@@ -118,7 +118,7 @@ class CURVATURE_PG_settings(PropertyGroup):
         description="Edge length of the panels; 0 takes a twentieth of the model",
         unit="LENGTH",
         min=0.0,
-        **_length_in_scene_units("panel_size"),
+        **_in_scene_units("panel_size"),
     )
     deviation_shown: FloatProperty(
         name="Deviation",
@@ -127,7 +127,14 @@ class CURVATURE_PG_settings(PropertyGroup):
         unit="LENGTH",
         min=0.0,
         precision=5,
-        **_length_in_scene_units("deviation"),
+        **_in_scene_units("deviation"),
+    )
+    min_area_shown: FloatProperty(
+        name="Minimum Area",
+        description="Regions below this area join a neighbor; 0 keeps all regions",
+        unit="AREA",
+        min=0.0,
+        **_in_scene_units("min_area", 2),
     )
     quantity: EnumProperty(
         name="Quantity",

@@ -27,14 +27,23 @@ def draw_legend() -> None:
         return
     scale = context.preferences.system.ui_scale
     layout = lay_out(legend, scale, _text_width)
-    _draw(layout, (_MARGIN * scale + _toolbar_width(context), _MARGIN * scale))
+    left, bottom = _covered(context)
+    _draw(layout, (left + _MARGIN * scale, bottom + _MARGIN * scale))
 
 
-def _toolbar_width(context: bpy.types.Context) -> float:
-    """Return how much of the region its toolbar covers, where regions overlap."""
+def _covered(context: bpy.types.Context) -> tuple[float, float]:
+    """Return how much of the region the toolbar covers at the left, the redo panel at the bottom.
+
+    Blender draws both over the region, and counts hidden ones as one pixel wide.
+    """
     if not context.preferences.system.use_region_overlap:
-        return 0.0
-    return float(sum(r.width for r in context.area.regions if r.type == "TOOLS" and r.width > 1))
+        return 0.0, 0.0
+    regions = {region.type: region for region in context.area.regions if region.width > 1}
+    tools, redo = regions.get("TOOLS"), regions.get("HUD")
+    return (
+        float(tools.width) if tools else 0.0,
+        float(redo.y + redo.height - context.region.y) if redo else 0.0,
+    )
 
 
 def _text_width(string: str, size: float) -> float:

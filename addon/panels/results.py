@@ -54,7 +54,7 @@ def _draw_figures(box: UILayout, scene: Scene, measure: PropertyGroup) -> None:
     flow = box.grid_flow(columns=2, even_columns=True, align=True, row_major=True)
     flow.active = False
     flow.label(text=units.area_text(scene, measure.area))
-    flow.label(text=f"{measure.faces:,} {'face' if measure.faces == 1 else 'faces'}")
-    radius = units.length_text(scene, measure.min_radius) if measure.min_radius else ""
-    flow.label(text=f"R \u2265 {radius}" if radius else "")
     flow.label(text=f"{measure.regions:,} {'region' if measure.regions == 1 else 'regions'}")
+    flow.label(text=f"{measure.faces:,} {'face' if measure.faces == 1 else 'faces'}")
+    if measure.min_radius:
+        flow.label(text=f"R \u2265 {units.length_text(scene, measure.min_radius)}")

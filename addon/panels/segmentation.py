@@ -29,7 +29,7 @@ class CURVATURE_PT_segmentation(SidebarPanel, Panel):
         col = layout.column(align=True)
         col.prop(settings, "panel_size_shown")
         col.prop(settings, "deviation_shown")
-        col.prop(settings, "min_area")
+        col.prop(settings, "min_area_shown")
         layout.prop(settings, "crease_angle")
 
         tolerance = _tolerance(context)
