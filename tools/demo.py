@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import tempfile
@@ -56,13 +57,16 @@ def run() -> int:
     zip_file = build.build(DEFAULT_BLENDER.series, [current_platform()])[0]
     OUT.mkdir(exist_ok=True)
     results = [OUT / f"demo.{ending}" for ending in ("blend", "json", "png")]
+    for path in results:
+        path.unlink(missing_ok=True)
     with step(f"segmenting {MODEL.name}"), tempfile.TemporaryDirectory() as user:
         status = _segment(python, zip_file, results, Path(user))
     missing = [path.name for path in results if not path.is_file()]
-    if status or missing:
-        raise DevError(
-            f"the demo ended with status {status} and left no {', '.join(missing) or 'gap'}"
-        )
+    if status:
+        raise DevError(f"the extension's command ended with status {status}, see above")
+    if missing:
+        raise DevError(f"the extension's command left no {', '.join(missing)} in {OUT}")
+    _print_classes(results[1])
     for path in results:
         say(f"made {path.relative_to(ROOT)}")
     return 0
@@ -76,3 +80,19 @@ def _segment(python: Path, zip_file: Path, results: list[Path], user: Path) -> i
         env=python_environment(BLENDER_USER_RESOURCES=os.fspath(user)),
         check=False,
     ).returncode
+
+
+def _print_classes(report: Path) -> None:
+    """Print the report's table of classes."""
+    for model in json.loads(report.read_text(encoding="utf-8"))["objects"]:
+        print(f"{model['name']}: {model['faces']} faces, {model['area']:.1f} m²")
+        print(
+            f"  {'class':<26}{'area':>12}{'share':>9}{'faces':>8}{'regions':>9}{'radius from':>13}"
+        )
+        for name, of_class in model["classes"].items():
+            smallest = of_class["min_radius"]
+            radius = "–" if smallest is None else f"{smallest:.2f} m"
+            print(
+                f"  {name.replace('_', ' '):<26}{of_class['area']:>9.1f} m²"
+                f"{of_class['share']:>8.1%} {of_class['faces']:>8}{of_class['regions']:>9}{radius:>13}"
+            )
