@@ -20,6 +20,7 @@ from .bridge.subject import (
     read_subject,
     reveal_carrier,
     source_of,
+    users_of,
 )
 from .geometry.errors import CurvatureError
 from .geometry.segmentation import segment
@@ -194,7 +195,8 @@ def _show(context: Context, outcome: Outcome, quantities: tuple[str, ...]) -> No
 
 def _clear(context: Context, obj: Object) -> bool:
     source = source_of(obj)
-    show_material(source, False)
+    for user in users_of(source.data):
+        show_material(user, False)
     had_results = results.clear_results(source.data) if source.data.library is None else False
     had_copy = discard_carrier(context, source)
     remove_if_empty(source)

@@ -21,7 +21,7 @@ from . import material, names, viewport
 from .attributes import read_attribute, show_color_attribute, write_attribute
 from .mesh import read_array
 from .numbers import as_typed
-from .subject import read_subject, source_of
+from .subject import read_subject, source_of, users_of
 
 CURVATURES = ("GAUSSIAN", "MEAN", "K1", "K2")
 """Quantities that a color map shows; the others have a color per class or region."""
@@ -71,7 +71,8 @@ def refresh(context: Context, scene: Scene) -> None:
     for obj in objects:
         if quantity != "NONE" and names.COLORS[quantity] in obj.data.color_attributes:
             show_color_attribute(obj.data, names.COLORS[quantity])
-        material.show(obj, scene.curvature.use_material and quantity != "NONE")
+        for user in users_of(obj.data):
+            material.show(user, scene.curvature.use_material and quantity != "NONE")
         obj.data.update()
     viewport.show_colors(context, quantity != "NONE" and bool(objects))
 
@@ -90,6 +91,13 @@ def write_class_colors(mesh: Mesh, settings: PropertyGroup) -> None:
 
 def _current_model(context: Context, scene: Scene, obj: Object) -> _Model | None:
     """Return the analysis of a carrier, None where its source changed in the meantime."""
+    # Objects that share a mesh may differ in scale: the results are those of one of them.
+    found = (_analysis_of_results(context, scene, user) for user in users_of(obj.data))
+    return next((_Model(obj.data, analysis) for analysis in found if analysis is not None), None)
+
+
+def _analysis_of_results(context: Context, scene: Scene, obj: Object) -> Analysis | None:
+    """Return the analysis of a carrier as it is now, None where its results are of another one."""
     results = obj.data.curvature
     try:
         subject = read_subject(
@@ -100,8 +108,7 @@ def _current_model(context: Context, scene: Scene, obj: Object) -> _Model | None
         )
     except CurvatureError:
         return None
-    is_current = subject.fingerprint == results.fingerprint
-    return _Model(obj.data, subject.analysis) if is_current else None
+    return subject.analysis if subject.fingerprint == results.fingerprint else None
 
 
 def _color_by_curvature(

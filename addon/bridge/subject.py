@@ -14,7 +14,7 @@ from bpy.types import Context, Depsgraph, Mesh, Object, Scene
 from ..geometry.analysis import Analysis, analyze
 from ..geometry.mesh import PolygonMesh
 from ..geometry.settings import AnalysisSettings
-from ..geometry.types import Floats, Progress
+from ..geometry.types import AnyArray, Floats, Progress
 from . import cache
 from .collection import link_beside
 from .evaluation import evaluated_mesh, evaluated_object
@@ -50,6 +50,11 @@ class Subject:
 def source_of(obj: Object) -> Object:
     """Return the object that an object's results belong to: itself, unless it was made by us."""
     return obj.curvature.source or obj
+
+
+def users_of(mesh: Mesh) -> list[Object]:
+    """Return all objects that share a mesh, and with it its results."""
+    return [obj for obj in bpy.data.objects if obj.type == "MESH" and obj.data == mesh]
 
 
 def carrier_of(obj: Object) -> Object:
@@ -101,7 +106,8 @@ def read_subject(
     with evaluated_mesh(obj, depsgraph) as mesh:
         polygon_mesh = read_polygon_mesh(mesh, to_meters)
         has_base_topology = _same_topology(mesh, obj.data) and _is_writable(obj.data)
-    fingerprint = _fingerprint(polygon_mesh, to_meters, settings)
+        stored = read_array(mesh.vertices, "co", np.float32, 3)
+    fingerprint = _fingerprint(stored, polygon_mesh, to_meters, settings)
     analysis = cache.find(fingerprint)
     if analysis is None:
         analysis = analyze(polygon_mesh, settings, on_progress)
@@ -211,11 +217,13 @@ def _is_writable(mesh: Mesh) -> bool:
     return mesh.library is None
 
 
-def _fingerprint(mesh: PolygonMesh, to_meters: Floats, settings: AnalysisSettings) -> str:
+def _fingerprint(
+    coordinates: AnyArray, mesh: PolygonMesh, to_meters: Floats, settings: AnalysisSettings
+) -> str:
     digest = hashlib.blake2b(repr(settings).encode(), digest_size=16)
     for array in (
-        to_meters,
-        mesh.vertices,
+        _without_rounding(to_meters),
+        coordinates,
         mesh.corner_vertex,
         mesh.polygon_start,
         mesh.corner_edge,
@@ -223,3 +231,12 @@ def _fingerprint(mesh: PolygonMesh, to_meters: Floats, settings: AnalysisSetting
     ):
         digest.update(np.ascontiguousarray(array).data)
     return digest.hexdigest()
+
+
+def _without_rounding(matrix: Floats) -> Floats:
+    """Return a matrix with five digits, so that turning an object does not count as a change.
+
+    Blender keeps the product of rotation and scale with seven digits.
+    """
+    noise = 1e-6 * np.abs(matrix).max()
+    return np.array([float(f"{x:.5g}") if abs(x) > noise else 0.0 for x in matrix.ravel()])

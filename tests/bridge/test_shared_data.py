@@ -8,8 +8,9 @@ from pathlib import Path
 
 import bpy
 import pytest
+from architectural_curvature.addon.bridge import display
 from bpy.types import Object
-from models import STRICT, add_object, add_surface, dome, own_attributes, stored
+from models import STRICT, add_object, add_surface, dome, only_select, own_attributes, stored
 
 
 def _link_from_library(folder: Path) -> Object:
@@ -91,3 +92,29 @@ def test_every_mesh_is_analyzed_once_however_many_objects_use_it(count: int) -> 
         add_object(f"Copy {number}", first.data)
     bpy.ops.curvature.segment(**STRICT)
     assert f"shared by {count} objects" in first.data.curvature.warnings[0].text
+
+
+@pytest.mark.parametrize("analyzed", ["One", "Two"])
+def test_results_are_current_at_the_scale_of_the_object_they_were_made_for(analyzed: str) -> None:
+    one = add_surface(dome, "One")
+    two = add_object("Two", one.data)
+    two.scale = (3.0, 3.0, 3.0)
+    only_select(bpy.data.objects[analyzed])
+    bpy.ops.curvature.segment(**STRICT)
+    assert not display.changed_objects(bpy.context, bpy.context.scene)
+    before = stored(one, "Mean Curvature")
+    bpy.context.scene.curvature.color_map = "PURPLE_ORANGE"
+    bpy.ops.curvature.show(quantity="MEAN")
+    assert (stored(one, "Mean Curvature") != before).any()
+
+
+def test_clearing_one_object_uncovers_all_that_share_its_mesh() -> None:
+    one = add_surface(dome, "One")
+    two = add_object("Two", one.data)
+    bpy.ops.curvature.segment(**STRICT)
+    bpy.context.scene.curvature.use_material = True
+    only_select(one)
+    bpy.ops.curvature.clear()
+    assert not own_attributes(two)
+    assert not one.material_slots
+    assert not two.material_slots
