@@ -82,13 +82,11 @@ def apt(*arguments: str) -> None:
     )
 
 
-def mirror() -> str:
-    """Return the Debian mirror in this machine's own apt settings."""
+def mirror() -> str | None:
+    """Return the Debian mirror in this machine's own apt settings; None on Ubuntu and the like."""
     settings = [Path("/etc/apt/sources.list"), *Path("/etc/apt/sources.list.d").glob("*")]
     texts = [path.read_text(encoding="utf-8") for path in settings if path.is_file()]
     entries = re.findall(
         r"^(?:URIs:|deb(?: \[.*?\])?)\s*(\S+/debian)/?\s*(?:$|\s)", "\n".join(texts), re.M
     )
-    if not entries:
-        raise DevError("no Debian mirror is named in /etc/apt/sources.list or sources.list.d")
-    return entries[0]
+    return entries[0] if entries else None

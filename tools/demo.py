@@ -92,7 +92,6 @@ def _print_classes(report: Path) -> None:
         for name, of_class in model["classes"].items():
             smallest = of_class["min_radius"]
             radius = "–" if smallest is None else f"{smallest:.2f} m"
-            print(
-                f"  {name.replace('_', ' '):<26}{of_class['area']:>9.1f} m²"
-                f"{of_class['share']:>8.1%} {of_class['faces']:>8}{of_class['regions']:>9}{radius:>13}"
-            )
+            size = f"{of_class['area']:>9.1f} m²{of_class['share']:>9.1%}"
+            counts = f"{of_class['faces']:>8}{of_class['regions']:>9}"
+            print(f"  {name.replace('_', ' '):<26}{size}{counts}{radius:>13}")

@@ -19,6 +19,9 @@ from .places import CACHE_VARIABLE, ROOT
 
 def main(arguments: Sequence[str]) -> int:
     """Carry out one command and return the exit status: 0 well, 1 failed, 2 wrong usage."""
+    for stream in (sys.stdout, sys.stderr):
+        # A pipe on Windows may not know our … and ²: better a question mark than a traceback.
+        stream.reconfigure(errors="replace")  # pyright: ignore[reportAttributeAccessIssue]
     parsed = _parser().parse_args(_split_pytest(arguments)[0])
     parsed.pytest = _split_pytest(arguments)[1]
     try:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finding a CPython of a given version on this machine; on Debian as root, getting one."""
+"""Finding a CPython of a given version on this machine; on Debian, getting one."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def find_python(version: str) -> Path:
         # Debian cuts ensurepip off into a package of its own.
         debian.ensure_packages([f"python{version}-venv"], f"making Python {version} environments")
         return incomplete
-    if debian.is_debian() and debian.is_root():
+    if debian.is_debian() and debian.mirror():
         return _get_from_debian(version)
     raise DevError(_how_to_get(version))
 
@@ -62,6 +62,10 @@ def _candidates(version: str) -> Iterator[Path]:
         yield Path(on_path)
     pyenv = Path(os.environ.get("PYENV_ROOT") or Path.home() / ".pyenv") / "versions"
     yield from sorted(pyenv.glob(f"{version}.*/bin/python"), reverse=True)
+    uv = Path(os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share") / "uv"
+    yield from sorted(
+        (uv / "python").glob(f"cpython-{version}.*/bin/python{version}"), reverse=True
+    )
     for folder in ("/usr/bin", "/usr/local/bin", "/opt/homebrew/bin"):
         yield Path(folder) / f"python{version}"
     launcher = shutil.which("py") if sys.platform == "win32" else None
@@ -93,7 +97,8 @@ def _probe(candidate: Path) -> dict[str, object] | None:
 def _get_from_debian(version: str) -> Path:
     """Install Debian's own package of this Python, or build the sources of a suite that has it."""
     package = f"python{version}"
-    debian.apt_update()
+    if debian.is_root():
+        debian.apt_update()
     known = subprocess.run(
         ["apt-cache", "policy", package], text=True, capture_output=True, check=False
     ).stdout
@@ -111,11 +116,10 @@ def _how_to_get(version: str) -> str:
         command = f"brew install python@{version}"
     elif shutil.which("pyenv"):
         command = f"pyenv install {version}"
-    elif debian.is_debian():
-        command = "sudo " + " ".join(["-E", sys.executable, *sys.argv])
-        return (
-            f"Python {version} is needed and not on this machine; run this command, which installs "
-            f"it unattended, or install it yourself and try again:\n  {command}"
+    elif shutil.which("add-apt-repository"):  # Ubuntu
+        command = (
+            "sudo add-apt-repository -y ppa:deadsnakes/ppa && "
+            f"sudo apt-get install -y python{version}-venv"
         )
     else:
         command = f"uv python install {version}"

@@ -34,7 +34,9 @@ def reason_against() -> str | None:
     if not sys.platform.startswith("linux") or not debian.is_debian():
         return "this is not Debian"
     if not debian.is_root():
-        return "only root may make a chroot: run it with sudo -E"
+        return "only root may make a chroot"
+    if not debian.mirror():
+        return "no Debian mirror is named in /etc/apt"
     return None
 
 
@@ -80,7 +82,7 @@ def versions(folder: Path) -> tuple[str, str]:
 
 
 def _make(suite: str, folder: Path) -> None:
-    mirror = debian.mirror()
+    mirror = debian.mirror() or ""
     failure = f"making a chroot of Debian {suite} failed"
     run_quietly(["debootstrap", "--variant=minbase", suite, folder, mirror], failure)
     for name in ("resolv.conf", "hosts"):
