@@ -40,19 +40,21 @@ def user_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="session")
 def play(user_folder: Path) -> Callable[..., Played]:
     """Play a scenario of the folder scenarios/ with arguments, once for all its tests."""
-    played: dict[tuple[str, ...], Played] = {}
+    records: dict[str, dict] = {}
 
     def play_once(name: str, *arguments: str) -> Played:
-        if (name, *arguments) not in played:
-            folder = _ROOT / "out" / name
+        folder = _ROOT / "out" / name
+        if name not in records:
             folder.mkdir(parents=True)
             driver.play(_SCENARIOS / f"{name}.py", list(arguments), user_folder, folder)
             result = folder / "result.json"
-            log = (folder / "blender.log").read_text(encoding="utf-8", errors="replace")
-            assert result.is_file(), f"Blender ended early:\n{log[-3000:]}"
-            record = json.loads(result.read_text(encoding="utf-8"))
-            assert record["error"] is None, f"{record['error']}\n{log[-3000:]}"
-            played[name, *arguments] = Played(folder, record)
-        return played[name, *arguments]
+            records[name] = (
+                json.loads(result.read_text(encoding="utf-8"))
+                if result.is_file()
+                else {"error": "Blender ended early"}
+            )
+        log = (folder / "blender.log").read_text(encoding="utf-8", errors="replace")
+        assert records[name]["error"] is None, f"{records[name]['error']}\n{log[-3000:]}"
+        return Played(folder, records[name])
 
     return play_once

@@ -36,8 +36,8 @@ def find(target: str) -> Generator[Step, None, tuple[float, float]]:
     sidebar = region("UI")
     seen: list[str] = []
     row = 20 * bpy.context.preferences.system.ui_scale
-    # Rows may hold several buttons: they are crossed at two places.
-    for share in (0.7, 0.35):
+    # Rows may hold several buttons: they are crossed at three places.
+    for share in (0.7, 0.35, 0.82):
         x = sidebar.x + sidebar.width * share
         y = sidebar.y + sidebar.height - row / 4
         while y > sidebar.y:
