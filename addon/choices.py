@@ -4,10 +4,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from bpy.types import Context, Operator
 
-from .bridge.numbers import as_typed
-from .geometry.settings import AnalysisSettings, SegmentationSettings
+from .bridge.numbers import as_typed, as_typed_angle
+from .geometry.settings import AnalysisSettings, SegmentationSettings, Smoothing
 
 
 def adopt_settings(operator: Operator, context: Context, names: tuple[str, ...]) -> None:
@@ -26,8 +28,10 @@ def analysis_settings(context: Context, operator: Operator | None = None) -> Ana
         If a value makes no sense.
     """
     return AnalysisSettings(
-        crease_angle=_choose(context, operator, "crease_angle"),
-        flip_normals=bool(_choose(context, operator, "flip_normals")),
+        crease_angle=as_typed_angle(_choose(context, operator, "crease_angle")),
+        flip_normals=_choose(context, operator, "flip_normals"),
+        smoothing=Smoothing[_choose(context, operator, "smoothing")],
+        smoothing_length=as_typed(_choose(context, operator, "smoothing_length")),
     )
 
 
@@ -42,13 +46,13 @@ def segmentation_settings(
         If a value makes no sense.
     """
     return SegmentationSettings(
-        panel_size=_choose(context, operator, "panel_size"),
-        deviation=_choose(context, operator, "deviation"),
-        min_area=_choose(context, operator, "min_area"),
+        panel_size=as_typed(_choose(context, operator, "panel_size")),
+        deviation=as_typed(_choose(context, operator, "deviation")),
+        min_area=as_typed(_choose(context, operator, "min_area")),
     )
 
 
-def _choose(context: Context, operator: Operator | None, name: str) -> float:
+def _choose(context: Context, operator: Operator | None, name: str) -> Any:
     """Return what an operator was told, else the scene's setting; a number of 0 tells nothing."""
     value = getattr(context.scene.curvature, name)
     if operator is not None and name in operator.properties.bl_rna.properties:
@@ -56,4 +60,4 @@ def _choose(context: Context, operator: Operator | None, name: str) -> float:
         is_told = operator.properties.is_property_set(name)
         if is_told and (told or isinstance(told, bool)):
             value = told
-    return as_typed(value)
+    return value

@@ -15,12 +15,12 @@ from ..geometry.display.colormap import ColorMap, map_colors
 from ..geometry.display.palette import class_color_table, region_colors
 from ..geometry.display.range import clipped_share, percentile_limit
 from ..geometry.errors import CurvatureError
-from ..geometry.settings import AnalysisSettings
 from ..geometry.types import Floats
 from . import material, names, viewport
 from .attributes import read_attribute, show_color_attribute, write_attribute
 from .mesh import read_array
 from .numbers import as_typed
+from .results import settings_of
 from .subject import read_subject, source_of, users_of
 
 CURVATURES = ("GAUSSIAN", "MEAN", "K1", "K2")
@@ -104,7 +104,7 @@ def _analysis_of_results(context: Context, scene: Scene, obj: Object) -> Analysi
             source_of(obj),
             scene,
             context.evaluated_depsgraph_get(),
-            AnalysisSettings(as_typed(results.crease_angle), results.flip_normals),
+            settings_of(obj.data),
         )
     except CurvatureError:
         return None

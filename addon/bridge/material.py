@@ -60,7 +60,9 @@ def _curvature_material() -> Material:
     if material is not None and material.library is None:
         return material
     material = bpy.data.materials.new(_NAME)
-    material.use_nodes = True
+    if material.node_tree is None:
+        # Blender 5.0 gives every material its nodes and deprecates the switch.
+        material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()
     output = nodes.new("ShaderNodeOutputMaterial")

@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import math
+
 
 def as_typed(value: float) -> float:
     """Return a number that Blender kept with 32 bits as its user typed it.
@@ -11,3 +13,8 @@ def as_typed(value: float) -> float:
     Seven digits turn 0.004999999888 into 0.005; more digits than that 32 bits cannot tell apart.
     """
     return float(f"{value:.7g}")
+
+
+def as_typed_angle(value: float) -> float:
+    """Return an angle that Blender kept with 32 bits, at most pi: seven digits of pi exceed it."""
+    return min(as_typed(value), math.pi)

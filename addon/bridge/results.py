@@ -13,12 +13,13 @@ from bpy.types import Mesh, Object
 from ..geometry.analysis import Analysis
 from ..geometry.classification import SurfaceClass, classify
 from ..geometry.segmentation import Segmentation
-from ..geometry.settings import AnalysisSettings
+from ..geometry.settings import AnalysisSettings, Smoothing
 from ..geometry.tolerance import Tolerance
 from ..geometry.types import AnyArray, Floats
 from ..report.measures import measure_object
 from . import names
 from .attributes import remove_attributes, write_attribute
+from .numbers import as_typed, as_typed_angle
 from .subject import Subject
 
 #: Regions beyond these are in the reports, but not at hand for panels and legends.
@@ -61,8 +62,21 @@ def write_curvature(subject: Subject, carrier: Object, settings: AnalysisSetting
     results.fingerprint = subject.fingerprint
     results.crease_angle = settings.crease_angle
     results.flip_normals = settings.flip_normals
+    results.smoothing = settings.smoothing.name
+    results.smoothing_length = settings.smoothing_length
     if not results.is_segmented:
         _write_summary(mesh, subject, measure_object(analysis))
+
+
+def settings_of(mesh: Mesh) -> AnalysisSettings:
+    """Return the settings that the results of a mesh were made with."""
+    results = mesh.curvature
+    return AnalysisSettings(
+        crease_angle=as_typed_angle(results.crease_angle),
+        flip_normals=results.flip_normals,
+        smoothing=Smoothing[results.smoothing],
+        smoothing_length=as_typed(results.smoothing_length),
+    )
 
 
 def is_current(mesh: Mesh, subject: Subject) -> bool:
