@@ -4,8 +4,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from bpy.types import Context, Operator
 
 from .bridge.numbers import as_typed, as_typed_angle
@@ -28,10 +26,10 @@ def analysis_settings(context: Context, operator: Operator | None = None) -> Ana
         If a value makes no sense.
     """
     return AnalysisSettings(
-        crease_angle=as_typed_angle(_choose(context, operator, "crease_angle")),
-        flip_normals=_choose(context, operator, "flip_normals"),
-        smoothing=Smoothing[_choose(context, operator, "smoothing")],
-        smoothing_length=as_typed(_choose(context, operator, "smoothing_length")),
+        crease_angle=as_typed_angle(float(_choose(context, operator, "crease_angle"))),
+        flip_normals=bool(_choose(context, operator, "flip_normals")),
+        smoothing=Smoothing[str(_choose(context, operator, "smoothing"))],
+        smoothing_length=as_typed(float(_choose(context, operator, "smoothing_length"))),
     )
 
 
@@ -46,13 +44,13 @@ def segmentation_settings(
         If a value makes no sense.
     """
     return SegmentationSettings(
-        panel_size=as_typed(_choose(context, operator, "panel_size")),
-        deviation=as_typed(_choose(context, operator, "deviation")),
-        min_area=as_typed(_choose(context, operator, "min_area")),
+        panel_size=as_typed(float(_choose(context, operator, "panel_size"))),
+        deviation=as_typed(float(_choose(context, operator, "deviation"))),
+        min_area=as_typed(float(_choose(context, operator, "min_area"))),
     )
 
 
-def _choose(context: Context, operator: Operator | None, name: str) -> Any:
+def _choose(context: Context, operator: Operator | None, name: str) -> str | float:
     """Return what an operator was told, else the scene's setting; a number of 0 tells nothing."""
     value = getattr(context.scene.curvature, name)
     if operator is not None and name in operator.properties.bl_rna.properties:

@@ -24,6 +24,7 @@ from .geometry.classification import SurfaceClass
 from .geometry.creases import DEFAULT_CREASE_ANGLE
 from .geometry.display.colormap import ColorMap
 from .geometry.display.palette import CLASS_NAMES, default_class_colors
+from .geometry.settings import Smoothing
 
 QUANTITY_ITEMS = (
     ("GAUSSIAN", "Gaussian Curvature", "Product of the principal curvatures, in 1/m²", 0),
@@ -38,6 +39,12 @@ QUANTITY_ITEMS = (
 CLASS_ITEMS = tuple(
     (surface_class.name, name, f"Faces of the class {name.lower()}", int(surface_class) + 1)
     for surface_class, name in CLASS_NAMES.items()
+)
+
+SMOOTHING_ITEMS = (
+    ("AUTO", Smoothing.AUTO.value, "Measure the noise, and smooth no more than it asks for", 0),
+    ("NONE", Smoothing.NONE.value, "Take every detail of the surface for real", 1),
+    ("LENGTH", Smoothing.LENGTH.value, "Take detail below a length for noise", 2),
 )
 
 _COLORS = default_class_colors()
@@ -80,6 +87,25 @@ def _color(surface_class: SurfaceClass) -> object:
 class CURVATURE_PG_settings(PropertyGroup):
     """Settings of a scene: what the operators use where they are not told otherwise."""
 
+    smoothing: EnumProperty(
+        name="Smoothing",
+        description="Which detail of the surface is noise",
+        items=SMOOTHING_ITEMS,
+        default=Smoothing.AUTO.name,
+    )
+    smoothing_length: FloatProperty(
+        name="Smoothing Length (m)",
+        description="Detail below this length in meters is noise, where smoothing is by length",
+        default=0.0,
+        min=0.0,
+    )
+    smoothing_length_shown: FloatProperty(
+        name="Length",
+        description="Detail below this length is noise",
+        unit="LENGTH",
+        min=0.0,
+        **_in_scene_units("smoothing_length"),
+    )
     crease_angle: FloatProperty(
         name="Crease Angle",
         description="Fold between two faces above which their edge separates smooth areas",
@@ -258,6 +284,10 @@ class CURVATURE_PG_results(PropertyGroup):
         name="Crease Angle", description="Crease angle used, in radians", subtype="ANGLE"
     )
     flip_normals: BoolProperty(name="Flip Normals", description="Whether signs were flipped")
+    smoothing: EnumProperty(name="Smoothing", description="Smoothing used", items=SMOOTHING_ITEMS)
+    smoothing_length: FloatProperty(
+        name="Smoothing Length", description="Smoothing length used, in meters"
+    )
     is_segmented: BoolProperty(
         name="Segmented", description="Whether the faces have classes and regions"
     )

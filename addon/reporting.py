@@ -79,6 +79,8 @@ def used_settings(
             },
             "crease_angle": as_typed(carrier.data.curvature.crease_angle),
             "flip_normals": carrier.data.curvature.flip_normals,
+            "smoothing": carrier.data.curvature.smoothing,
+            "smoothing_length": as_typed(carrier.data.curvature.smoothing_length),
         }
         for carrier, block in zip(carriers, objects, strict=True)
     ]

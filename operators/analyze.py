@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from math import pi
 
-from bpy.props import BoolProperty, FloatProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty
 from bpy.types import Context, Event, Operator
 
 from ..addon import polls, tasks
@@ -14,7 +14,10 @@ from ..addon.bridge.subject import selected_subjects
 from ..addon.choices import adopt_settings, analysis_settings, segmentation_settings
 from ..addon.geometry.errors import CurvatureError
 from ..addon.progress import progress
+from ..addon.properties import SMOOTHING_ITEMS
 from ..addon.reporting import conclude
+
+_NAMES = ("smoothing", "smoothing_length", "crease_angle", "flip_normals")
 
 
 class CURVATURE_OT_analyze(Operator):
@@ -28,6 +31,21 @@ class CURVATURE_OT_analyze(Operator):
     )
     bl_options = {"REGISTER", "UNDO"}
 
+    smoothing: EnumProperty(
+        name="Smoothing",
+        description="Which detail of the surface is noise",
+        items=SMOOTHING_ITEMS,
+        default="AUTO",
+        options={"SKIP_SAVE"},
+    )
+    smoothing_length: FloatProperty(
+        name="Smoothing Length (m)",
+        description="Detail below this length in meters is noise, where smoothing is by length; "
+        "0 takes the scene's setting",
+        default=0.0,
+        min=0.0,
+        options={"SKIP_SAVE"},
+    )
     crease_angle: FloatProperty(
         name="Crease Angle",
         description="Fold between two faces above which their edge separates smooth areas; "
@@ -52,7 +70,7 @@ class CURVATURE_OT_analyze(Operator):
 
     def invoke(self, context: Context, _event: Event) -> set[str]:
         """Start from the scene's settings."""
-        adopt_settings(self, context, ("crease_angle", "flip_normals"))
+        adopt_settings(self, context, _NAMES)
         return self.execute(context)
 
     def execute(self, context: Context) -> set[str]:

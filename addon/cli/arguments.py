@@ -11,6 +11,7 @@ from pathlib import Path
 
 from ..bridge.importing import ENDINGS
 from ..geometry.display.colormap import ColorMap
+from ..geometry.settings import Smoothing
 from ..properties import QUANTITY_ITEMS
 from ..report.files import FORMATS
 
@@ -129,6 +130,14 @@ def _add_settings(parser: argparse.ArgumentParser) -> None:
         metavar="M2",
         help="regions below this area in m² join a neighbor (default: 0, none do)",
     )
+    parser.add_argument(
+        "--smoothing",
+        type=_smoothing,
+        default=(Smoothing.AUTO, 0.0),
+        metavar="auto|none|M",
+        help="which detail is noise: measured, none, or all below a length in meters "
+        "(default: auto)",
+    )
     parser.add_argument("--flip-normals", action="store_true", help="look from the other side")
     parser.add_argument(
         "--quantity",
@@ -182,6 +191,12 @@ def _not_negative(text: str) -> float:
     if value < 0.0:
         raise argparse.ArgumentTypeError(f"must not be negative: {text}")
     return value
+
+
+def _smoothing(text: str) -> tuple[Smoothing, float]:
+    if text.lower() in {"auto", "none"}:
+        return Smoothing[text.upper()], 0.0
+    return Smoothing.LENGTH, _positive(text)
 
 
 def _angle(text: str) -> float:

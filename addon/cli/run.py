@@ -120,6 +120,8 @@ def _apply_settings(options: Namespace) -> None:
     settings.min_area = options.min_area
     settings.crease_angle = math.radians(options.crease_angle)
     settings.flip_normals = options.flip_normals
+    smoothing, settings.smoothing_length = options.smoothing
+    settings.smoothing = smoothing.name
     settings.color_map = options.color_map
     if options.range:
         settings.range_mode = "FIXED"

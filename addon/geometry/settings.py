@@ -6,8 +6,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from enum import Enum
 
 from .errors import InvalidSettingError
+
+
+class Smoothing(Enum):
+    """What counts as noise; the value is the name that users read."""
+
+    AUTO = "Auto"
+    NONE = "None"
+    LENGTH = "Length"
 
 
 @dataclass(frozen=True)
@@ -20,13 +29,27 @@ class AnalysisSettings:
         Dihedral angle in radians above which an edge is a crease, 0 to pi.
     flip_normals : bool
         Whether the surface is seen from the other side: k1, k2 and H change sign.
+    smoothing : Smoothing
+        AUTO measures the noise and smooths no more than it asks for; NONE never smooths; LENGTH
+        takes all detail below a length for noise.
+    smoothing_length : float
+        That length in meters; used with LENGTH only.
     """
 
     crease_angle: float
     flip_normals: bool = False
+    smoothing: Smoothing = Smoothing.AUTO
+    smoothing_length: float = 0.0
 
     def __post_init__(self) -> None:
-        """Refuse angles that no fold can have."""
+        """Refuse angles that no fold can have, and smoothing over no length."""
+        if self.smoothing is Smoothing.LENGTH and not (
+            math.isfinite(self.smoothing_length) and self.smoothing_length > 0.0
+        ):
+            raise InvalidSettingError(
+                "the smoothing length must be greater than zero, "
+                f"not {self.smoothing_length:g} m: set a length, or smooth by Auto"
+            )
         if not 0.0 < self.crease_angle <= math.pi:
             raise InvalidSettingError(
                 "the crease angle must be above 0 and at most 180 degrees, "

@@ -38,3 +38,6 @@ class CURVATURE_PT_analysis(SidebarPanel, Panel):
         col.prop(settings, "show_legend")
         col.prop(settings, "use_material")
         layout.column(heading="Normals").prop(settings, "flip_normals", text="Flip")
+        layout.prop(settings, "smoothing")
+        if settings.smoothing == "LENGTH":
+            layout.prop(settings, "smoothing_length_shown")
