@@ -10,7 +10,6 @@ from dataclasses import dataclass, field
 from bpy.types import Context, Object
 
 from .bridge import display, results
-from .bridge.collection import remove_if_empty
 from .bridge.material import show as show_material
 from .bridge.mode import object_mode
 from .bridge.subject import (
@@ -173,7 +172,6 @@ def _drop_results_elsewhere(context: Context, subject: Subject) -> None:
     source = subject.source
     if subject.has_base_topology:
         discard_carrier(context, source)
-        remove_if_empty(source)
     elif source.data.library is None:
         results.clear_results(source.data)
 
@@ -199,5 +197,4 @@ def _clear(context: Context, obj: Object) -> bool:
         show_material(user, False)
     had_results = results.clear_results(source.data) if source.data.library is None else False
     had_copy = discard_carrier(context, source)
-    remove_if_empty(source)
     return had_results or had_copy

@@ -4,13 +4,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import bpy
 from bpy.types import Collection, Object, Scene
+
+_ENDING = " Curvature"
 
 
 def link_beside(source: Object, made: Object, scene: Scene) -> None:
     """Put an object into the collection `<name> Curvature` of its source, in the same scene."""
-    name = f"{source.name} Curvature"
+    name = f"{source.name}{_ENDING}"
     collection = bpy.data.collections.get(name)
     if collection is None or collection.library is not None:
         collection = bpy.data.collections.new(name)
@@ -20,8 +24,14 @@ def link_beside(source: Object, made: Object, scene: Scene) -> None:
         collection.objects.link(made)
 
 
-def remove_if_empty(source: Object) -> None:
-    """Remove the collection of a source where nothing is left in it."""
-    collection: Collection | None = bpy.data.collections.get(f"{source.name} Curvature")
-    if collection is not None and not collection.objects and not collection.children:
-        bpy.data.collections.remove(collection)
+def own_collections(made: Object) -> list[Collection]:
+    """Return the collections of ours that an object lies in, also where its source was renamed."""
+    return [each for each in made.users_collection if each.name.endswith(_ENDING)]
+
+
+def remove_if_empty(source: Object, others: Iterable[Collection] = ()) -> None:
+    """Remove the collection of a source, and others, where nothing is left in them."""
+    named = bpy.data.collections.get(f"{source.name}{_ENDING}")
+    for collection in {*others, *([named] if named else [])}:
+        if not collection.objects and not collection.children:
+            bpy.data.collections.remove(collection)

@@ -16,7 +16,7 @@ from ..geometry.mesh import PolygonMesh
 from ..geometry.settings import AnalysisSettings
 from ..geometry.types import AnyArray, Floats, Progress
 from . import cache
-from .collection import link_beside
+from .collection import link_beside, own_collections, remove_if_empty
 from .evaluation import evaluated_mesh, evaluated_object
 from .frame import meters_from_object
 from .mesh import read_array, read_polygon_mesh
@@ -181,9 +181,11 @@ def discard_carrier(context: Context, source: Object) -> bool:
     if copy is None:
         return False
     mesh, was_active = copy.data, context.view_layer.objects.active == copy
+    homes = own_collections(copy)
     bpy.data.objects.remove(copy)
     if not mesh.users:
         bpy.data.meshes.remove(mesh)
+    remove_if_empty(source, homes)
     if source.name in context.view_layer.objects:
         source.hide_set(False)
         source.select_set(True)

@@ -69,7 +69,7 @@ def written_whole(path: Path) -> Iterator[Path]:
     Raises
     ------
     FileRefusedError
-        If the folder is missing or cannot be written to.
+        If the folder is missing or cannot be written to, or writing fails, as on a full disk.
     """
     if path.is_dir():
         raise FileRefusedError(f"{path}: this is a folder; give the name of a file")
@@ -89,6 +89,10 @@ def written_whole(path: Path) -> Iterator[Path]:
         if temporary.exists() and temporary.stat().st_size:
             temporary.chmod(0o666 & ~_umask())
             temporary.replace(path)
+    except FileRefusedError:
+        raise
+    except OSError as error:
+        raise FileRefusedError(f"{path}: it cannot be written ({error.strerror})") from error
     finally:
         temporary.unlink(missing_ok=True)
 
