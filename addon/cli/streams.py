@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import os
 import sys
 from collections.abc import Iterator
@@ -38,6 +39,11 @@ class Console:
         sys.stderr.flush()
 
 
+def _flush_blender() -> None:
+    """Empty the buffers of C, in which Blender's messages wait for the end where nobody looks."""
+    ctypes.CDLL("ucrtbase" if sys.platform == "win32" else None).fflush(None)
+
+
 @contextmanager
 def console(is_quiet: bool) -> Iterator[Console]:
     """Give a console; what Blender and its importers write to stdout meanwhile is dropped.
@@ -53,4 +59,5 @@ def console(is_quiet: bool) -> Iterator[Console]:
         finally:
             sys.stdout.flush()
             results.flush()
+            _flush_blender()
             os.dup2(results.fileno(), 1)
