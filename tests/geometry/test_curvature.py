@@ -99,14 +99,21 @@ def test_a_face_without_area_is_undefined_on_its_own() -> None:
 
 
 def test_faces_without_area_do_not_spoil_their_neighbors() -> None:
-    sample = sample_patch(PATCHES["sphere zone"], "regular", (40, 20))
-    _, sound = _measure(sample.shape.position, sample.polygons)
-    a, b = sample.polygons[300, :2]
-    needle = [[int(a), int(b), int(a)]]
-    _, spoiled = _measure(sample.shape.position, np.concatenate([sample.polygons, needle]))
-    far = np.linalg.norm(sample.shape.position - sample.shape.position[a], axis=1) > 0.5
-    assert spoiled.is_defined[: len(far)][far].all()
+    sample = sample_patch(PATCHES["waves"], "regular", (20, 20))
+    position, triangles = sample.shape.position, sample.polygons
+    plain_surface, plain = _measure(position, triangles)
+    # A needle that fills a slit: its third corner lies on the side of a triangle.
+    a, b = position[triangles[300, :2]]
+    vertices = np.concatenate([position, [0.5 * (a + b)]])
+    needle = [int(triangles[300, 1]), int(triangles[300, 0]), len(position)]
+    surface, spoiled = _measure(vertices, [*triangles.tolist(), needle])
+    assert surface.is_degenerate.sum() == 1
     assert np.isfinite(spoiled.k1).all()
+    # Beyond the fit's two rings around the needle nothing changes.
+    is_far = np.linalg.norm(position - a, axis=1) > 3.0 * sample.longest_edge
+    near, far = plain_surface.vertex_sector[is_far], surface.vertex_sector[:-1][is_far]
+    assert spoiled.is_defined[far].all()
+    np.testing.assert_allclose(spoiled.k1[far], plain.k1[near], rtol=0.0, atol=1e-9)
 
 
 def test_duplicate_faces_give_finite_values() -> None:

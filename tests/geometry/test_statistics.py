@@ -16,9 +16,7 @@ from hypothesis import strategies as st
 
 PERCENTS = np.array([0.0, 1.0, 5.0, 25.0, 50.0, 75.0, 95.0, 99.0, 100.0])
 
-lists = st.lists(
-    st.tuples(st.floats(-100.0, 100.0), st.integers(1, 6)), min_size=1, max_size=12
-)
+lists = st.lists(st.tuples(st.floats(-100.0, 100.0), st.integers(1, 6)), min_size=1, max_size=12)
 
 
 @settings(deadline=None, derandomize=True, database=None)
