@@ -7,6 +7,7 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
+import zipfile
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -18,8 +19,7 @@ from .places import DIST, ROOT
 from .platforms import current_platform
 from .processes import python_environment, run_quietly
 
-# Files get one date, so that the same commit gives the same zip.
-_DATE = 1_767_225_600  # 2026-01-01
+_DATE = (2026, 1, 1, 0, 0, 0)
 
 
 def build(series: Series, platforms: Sequence[str]) -> list[Path]:
@@ -88,7 +88,6 @@ def _build(
         for file in wheel_files:
             shutil.copyfile(file, source / WHEELS_FOLDER / file.name)
         write_manifest(manifest, source / FILE_NAME)
-        _set_dates(source)
         blender_extension(
             *("build", "--split-platforms", "--source-dir", source, "--output-dir", output)
         )
@@ -108,24 +107,32 @@ def _stage(target: Path, patterns: Sequence[str]) -> None:
     shutil.copytree(ROOT, target, ignore=ignored)
 
 
-def _set_dates(folder: Path) -> None:
-    for path in folder.rglob("*"):
-        os.utime(path, (_DATE, _DATE))
-
-
 def _collect(output: Path, manifest: dict[str, str], name: str, platform: str) -> Path:
     """Check a finished zip and put it into dist/, named by the Blenders that it is for."""
     stem = f"{manifest['id']}-{manifest['version']}"
     built = output / f"{stem}-{platform.replace('-', '_')}.zip"
-    blender_extension("validate", built)
-    inspection.inspect_zip(built)
+    even = output / f"{stem}-{name}-{platform}.zip"
+    _even_out(built, even)
+    blender_extension("validate", even)
+    inspection.inspect_zip(even)
     DIST.mkdir(exist_ok=True)
-    final = DIST / f"{stem}-{name}-{platform}.zip"
+    final = DIST / even.name
     # Copied beside its place and renamed, so that nobody installs half a zip.
     partial = final.with_name(f".{final.name}.{os.getpid()}")
-    shutil.copyfile(built, partial)
+    shutil.copyfile(even, partial)
     partial.replace(final)
     return final
+
+
+def _even_out(built: Path, even: Path) -> None:
+    """Copy a zip with one date for all files and these in order: one commit gives one zip."""
+    with zipfile.ZipFile(built) as source, zipfile.ZipFile(even, "w") as target:
+        for entry in sorted(source.infolist(), key=lambda entry: entry.filename):
+            copy = zipfile.ZipInfo(entry.filename, _DATE)
+            copy.compress_type = entry.compress_type
+            copy.create_system = 3  # Unix, wherever it is built
+            copy.external_attr = 0o644 << 16
+            target.writestr(copy, source.read(entry))
 
 
 def blender_extension(*arguments: str | Path) -> str:

@@ -99,7 +99,8 @@ def _build(source: Path, home: Path, staging: Path) -> None:
     failure = f"building {source.name} failed"
     jobs = str(os.cpu_count() or 1)
     # No link-time or profile-guided optimization: the tests do not gain what the build would cost.
-    run_quietly(["./configure", f"--prefix={home}", "--with-ensurepip=no"], failure, folder=source)
+    options = ["--with-ensurepip=no", "--disable-test-modules", "OPT=-O2 -DNDEBUG"]
+    run_quietly(["./configure", f"--prefix={home}", *options], failure, folder=source)
     run_quietly(["make", "-j", jobs], failure, folder=source)
     run_quietly(["make", "install", f"DESTDIR={staging}"], failure, folder=source)
     (staging / home.relative_to(home.anchor)).rename(home)
