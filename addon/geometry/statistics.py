@@ -8,10 +8,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .types import Floats
+from .types import Floats, Indices
 
 #: Share of the area that a smallest radius leaves out, against single bad faces.
 RADIUS_PERCENTILE = 99.0
+
+#: Shares that differ by no more than this are equal: sums of areas carry rounding.
+_TIE = 1e-12
 
 
 @dataclass(frozen=True)
@@ -29,6 +32,9 @@ class Summary:
 def weighted_percentiles(values: Floats, weights: Floats, percents: Floats) -> Floats:
     """Return the values below which given shares of the weight lie.
 
+    A value of weight 3 counts as three values of weight 1 do. Nothing is interpolated: between a
+    large face and a tiny one there are no faces whose curvature would lie between theirs.
+
     Parameters
     ----------
     values, weights : (n,) float64
@@ -39,14 +45,20 @@ def weighted_percentiles(values: Floats, weights: Floats, percents: Floats) -> F
     Returns
     -------
     (p,) float64
-        Interpolated between the values, each of which stands at the middle of its weight.
+        Values that occur; the mean of two where the share ends just between them.
     """
+    used = weights > 0.0
+    values = values[used]
     order = np.argsort(values, kind="stable")
-    total = np.cumsum(weights[order])
-    middle = total - 0.5 * weights[order]
-    return np.asarray(
-        np.interp(percents / 100.0 * total[-1], middle, values[order]), dtype=np.float64
-    )
+    total = np.cumsum(weights[used][order])
+    wanted = percents / 100.0 * total[-1]
+    slack = _TIE * total[-1]
+    found: list[Indices] = [
+        np.searchsorted(total, wanted - slack, side="left"),
+        np.searchsorted(total, wanted + slack, side="right"),
+    ]
+    lower, upper = (values[order[np.minimum(index, len(order) - 1)]] for index in found)
+    return 0.5 * (lower + upper)
 
 
 def summarize(values: Floats, weights: Floats) -> Summary | None:
