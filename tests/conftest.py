@@ -16,7 +16,7 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = "architectural_curvature"
 ZIP_VARIABLE = "ARCHITECTURAL_CURVATURE_ZIP"
-_PLAIN_LEVELS = ("policy", "packaging", "geometry")
+_PLAIN_LEVELS = ("policy", "packaging", "geometry", "report")
 
 
 def pytest_configure() -> None:

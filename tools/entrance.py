@@ -71,7 +71,7 @@ def _parser() -> argparse.ArgumentParser:
     test.add_argument(
         "--only",
         action="append",
-        choices=("policy", "packaging", "geometry", "blender"),
+        choices=("policy", "packaging", "geometry", "report", "blender"),
         help="only this level, may be repeated",
     )
     test.set_defaults(run=_test)

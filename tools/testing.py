@@ -20,7 +20,7 @@ from .places import ROOT
 from .platforms import current_platform
 from .processes import python_environment
 
-_PLAIN_LEVELS = ("policy", "packaging", "geometry")
+_PLAIN_LEVELS = ("policy", "packaging", "geometry", "report")
 # Every other folder of tests, but the one for windows, runs in Blender; these must not be missing.
 _BLENDER_LEVELS = ("bridge", "operators", "extension")
 _WINDOW_LEVEL = "window"
@@ -63,7 +63,7 @@ def run(blenders: Sequence[Blender], only: Sequence[str] | None, options: Sequen
     blenders : sequence of Blender
         In which Blenders the levels that need one are run.
     only : sequence of str, optional
-        The levels to run ("policy", "packaging", "geometry", "blender"); all by default.
+        The levels to run ("policy", "packaging", "geometry", "report", "blender"); all by default.
     options : sequence of str
         Passed on to every pytest.
 
