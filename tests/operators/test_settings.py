@@ -13,7 +13,7 @@ from bpy.types import Object
 from models import STRICT, add_surface, barrel, dome, only_select, stored
 
 SETTINGS = {
-    "analyze": {"crease_angle", "flip_normals"},
+    "analyze": {"smoothing", "smoothing_length", "crease_angle", "flip_normals"},
     "segment": {"panel_size", "deviation", "crease_angle", "min_area"},
     "show": {"quantity"},
     "select_class": {"surface_class", "extend"},

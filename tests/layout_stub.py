@@ -1,0 +1,59 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A layout that panels draw into without a window; it knows what Blender would refuse."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+import bpy
+
+_ICONS = set(
+    bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items.keys()
+)
+_CONTAINERS = ("row", "column", "box", "split", "grid_flow", "column_flow", "menu_pie")
+
+
+class Layout:
+    """Keeps what was drawn in `texts`, `properties` and `operators`."""
+
+    def __init__(self, parent: Layout | None = None) -> None:
+        self.texts: list[str] = parent.texts if parent else []
+        self.properties: list[str] = parent.properties if parent else []
+        self.operators: list[str] = parent.operators if parent else []
+
+    def __getattr__(self, name: str) -> Callable[..., Layout]:
+        if name not in _CONTAINERS:
+            message = f"panels of ours do not use layout.{name}"
+            raise AttributeError(message)
+        return lambda **_options: Layout(self)
+
+    def label(self, *, text: str = "", icon: str = "NONE") -> None:
+        """Keep a text."""
+        assert icon in _ICONS, icon
+        self.texts.append(text)
+
+    def separator(self, **_options: Any) -> None:
+        """Leave a gap."""
+
+    def prop(self, owner: Any, name: str, *, icon: str = "NONE", **_options: Any) -> None:
+        """Keep the name of a property, which must exist and can be read."""
+        assert icon in _ICONS, icon
+        assert name in owner.bl_rna.properties, name
+        getattr(owner, name)
+        self.properties.append(name)
+
+    def operator(self, name: str, *, icon: str = "NONE", **_options: Any) -> SimpleNamespace:
+        """Keep the name of an operator, which must exist, as must the properties set on it."""
+        assert icon in _ICONS, icon
+        module, function = name.split(".")
+        known = getattr(getattr(bpy.ops, module), function).get_rna_type().properties
+        self.operators.append(name)
+
+        class Properties(SimpleNamespace):
+            def __setattr__(self, key: str, value: object) -> None:
+                assert key in known, f"{name}.{key}"
+
+        return Properties()

@@ -1,0 +1,83 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender's start pays for nothing that is not used yet."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import bpy
+import pytest
+from models import STRICT, add_surface, dome
+
+_HEAVY = ("scipy", "igl")
+
+_SESSION = """
+import json, sys, time
+import bpy, addon_utils
+extension, file, do = sys.argv[1:]
+started = time.perf_counter()
+addon_utils.enable(extension)
+seconds = time.perf_counter() - started
+if file:
+    bpy.ops.wm.open_mainfile(filepath=file)
+exec(do)
+print("RESULT", json.dumps([sorted({name.split(".")[0] for name in sys.modules}), seconds]))
+"""
+
+_DRAW = """
+sys.path.insert(0, {tests!r})
+from types import SimpleNamespace
+from importlib import import_module
+from layout_stub import Layout
+for name in dir(bpy.types):
+    if name.startswith("CURVATURE_PT_"):
+        panel = getattr(bpy.types, name)
+        if not hasattr(panel, "poll") or panel.poll(bpy.context):
+            panel.draw(SimpleNamespace(layout=Layout()), bpy.context)
+content = import_module(extension + ".addon.overlay.content")
+assert content.legend_of(bpy.context.scene, bpy.context.object) is not None
+"""
+
+
+def _session(extension: str, file: str = "", do: str = "") -> tuple[list[str], float]:
+    """Return the modules that a fresh Blender has loaded, and the time to enable the extension."""
+    ended = subprocess.run(
+        [sys.executable, "-c", _SESSION, extension, file, do],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    lines = [line for line in ended.stdout.splitlines() if line.startswith("RESULT ")]
+    assert lines, ended.stdout + ended.stderr
+    modules, seconds = json.loads(lines[0].removeprefix("RESULT "))
+    return modules, seconds
+
+
+def test_enabling_loads_no_library(extension: str) -> None:
+    modules, _seconds = _session(extension)
+    assert "numpy" in modules
+    assert not set(_HEAVY) & set(modules)
+
+
+def test_showing_stored_results_loads_no_library(
+    extension: str, tmp_path: Path, repository: Path
+) -> None:
+    """Panels and the legend draw from what the file holds; they compute nothing."""
+    add_surface(dome)
+    bpy.ops.curvature.segment(**STRICT)
+    file = str(tmp_path / "design.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=file)
+    modules, _seconds = _session(extension, file, _DRAW.format(tests=str(repository / "tests")))
+    assert not set(_HEAVY) & set(modules)
+
+
+@pytest.mark.parametrize("library", _HEAVY)
+def test_analysis_loads_the_library(extension: str, library: str) -> None:
+    """Else the two tests above would prove nothing."""
+    do = "bpy.ops.mesh.primitive_uv_sphere_add(); bpy.ops.curvature.analyze()"
+    modules, _seconds = _session(extension, do=do)
+    assert library in modules
