@@ -27,6 +27,15 @@ _PACKAGES = (
     *("xvfb", "x11-utils", "xdotool", "imagemagick", "libgl1-mesa-dri", "libegl1"),
     *("python3-pytest", "python3-pil"),
 )
+_FILES = {
+    # Mirrors of sid may lag behind.
+    "etc/apt/apt.conf.d/99lag": 'Acquire::Check-Valid-Until "false";\n',
+    "etc/dpkg/dpkg.cfg.d/fast": "force-unsafe-io\n",
+    # Packages must not start services here.
+    "usr/sbin/policy-rc.d": "#!/bin/sh\nexit 101\n",
+    # Without it Blender warns on stdout, where commands print their results.
+    "etc/mtab": "rootfs / rootfs rw 0 0\n",
+}
 
 
 def reason_against() -> str | None:
@@ -48,7 +57,8 @@ def ensure_chroot(suite: str) -> Path:
     DevError
         If debootstrap or apt fails.
     """
-    key = hashlib.sha256("\n".join(_PACKAGES).encode()).hexdigest()[:12]
+    recipe = "\n".join([*_PACKAGES, *_FILES, *_FILES.values()])
+    key = hashlib.sha256(recipe.encode()).hexdigest()[:12]
     folder = cache_folder() / "chroots" / f"{suite}-{key}"
     complete = folder / "complete"
     if complete.is_file():
@@ -87,12 +97,11 @@ def _make(suite: str, folder: Path) -> None:
     run_quietly(["debootstrap", "--variant=minbase", suite, folder, mirror], failure)
     for name in ("resolv.conf", "hosts"):
         shutil.copy(Path("/etc", name), folder / "etc" / name)
-    _write(folder / "etc/apt/sources.list", f"deb {mirror} {suite} main\n")
-    # Mirrors of sid may lag behind.
-    _write(folder / "etc/apt/apt.conf.d/99lag", 'Acquire::Check-Valid-Until "false";\n')
-    _write(folder / "etc/dpkg/dpkg.cfg.d/fast", "force-unsafe-io\nno-debsig\n")
-    # Packages must not start services here.
-    _write(folder / "usr/sbin/policy-rc.d", "#!/bin/sh\nexit 101\n")
+    for name, text in {"etc/apt/sources.list": f"deb {mirror} {suite} main\n", **_FILES}.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.unlink(missing_ok=True)  # it may be a link out of the folder
+        path.write_text(text, encoding="utf-8")
     (folder / "usr/sbin/policy-rc.d").chmod(0o755)
     apt = inside(folder, "DEBIAN_FRONTEND=noninteractive", "apt-get", "-y", "-q")
     run_quietly([*apt, "update"], failure)
@@ -100,11 +109,6 @@ def _make(suite: str, folder: Path) -> None:
     run_quietly([*apt, "clean"], failure)
     # debootstrap leaves its /proc mounted in some environments.
     subprocess.run(["umount", folder / "proc"], check=False, capture_output=True)
-
-
-def _write(path: Path, text: str) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text, encoding="utf-8")
 
 
 def _delete(folder: Path) -> None:
