@@ -85,7 +85,7 @@ def _neighbors(polygons: NDArray[np.int64], count: int) -> NDArray[np.int64]:
     sides = polygons.shape[1]
     a, b = np.repeat(polygons, sides, axis=1).ravel(), np.tile(polygons, (1, sides)).ravel()
     ring = coo_array((np.ones(len(a)), (a, b)), (count, count)).tocsr()
-    return np.stack((ring @ ring).nonzero())
+    return np.stack((ring @ ring).nonzero()).astype(np.int64)
 
 
 @pytest.mark.parametrize("kind", KINDS)
