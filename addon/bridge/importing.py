@@ -7,8 +7,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+import bmesh
 import bpy
-from bpy.types import Context, Object
+import numpy as np
+from bpy.types import Context, Mesh, Object
+
+from .mesh import read_array
 
 
 class ImportRefusedError(ValueError):
@@ -55,6 +59,9 @@ _IMPORTERS: dict[str, _Importer] = {
     ".fbx": _fbx,
 }
 
+#: Formats in which faces that do not look smooth do not share vertices.
+_SPLIT = (".glb", ".gltf")
+
 ENDINGS = (".blend", *_IMPORTERS)
 """Endings of the files that can be read."""
 
@@ -90,12 +97,38 @@ def load_model(context: Context, path: Path, up: str | None = None) -> list[Obje
         else:
             bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
             _IMPORTERS[ending](str(path.resolve()), up)
+            for mesh in bpy.data.meshes:
+                _forget_shading(mesh, is_split=ending in _SPLIT)
     except RuntimeError as error:
         raise ImportRefusedError(f"Blender cannot read it: {_first_line(error)}") from error
     objects = [obj for obj in context.view_layer.objects if _is_model(obj)]
     if not objects:
         raise ImportRefusedError("there is no mesh with faces in it")
     return objects
+
+
+def _forget_shading(mesh: Mesh, is_split: bool) -> None:
+    """Give an imported mesh the shape that its file describes, however it is shaded.
+
+    Importers mark edges sharp between faces of different normals. Those are all edges of a model
+    that was written with flat shading; the crease angle finds the true ones.
+    """
+    sharp = mesh.attributes.get("sharp_edge")
+    if sharp is not None:
+        mesh.attributes.remove(sharp)
+    if is_split:
+        model = bmesh.new()
+        model.from_mesh(mesh)
+        bmesh.ops.remove_doubles(model, verts=model.verts[:], dist=_weld_distance(mesh))
+        model.to_mesh(mesh)
+        model.free()
+    mesh.update()
+
+
+def _weld_distance(mesh: Mesh) -> float:
+    """Return the rounding of a mesh's coordinates."""
+    stored = read_array(mesh.vertices, "co", np.float32, 3)
+    return float(np.spacing(np.abs(stored).max(initial=0.0)))
 
 
 def _is_model(obj: Object) -> bool:
