@@ -81,55 +81,14 @@ def connect_regions(surface: Surface, face_class: Indices) -> Regions:
     )
 
 
-def absorb_small_regions(surface: Surface, face_class: Indices, min_area: float) -> Indices:
-    """Give regions below a minimum area the class of the neighbor with the longest shared border.
-
-    Regions that border on nothing but creases and rims stay, however small they are.
-
-    Parameters
-    ----------
-    surface : Surface
-    face_class : (m,) int64
-        Values of `SurfaceClass`.
-    min_area : float
-        In m²; 0 changes nothing.
-
-    Returns
-    -------
-    (m,) int64
-        The classes with the small regions absorbed, smallest first.
-    """
-    labels = face_class.copy()
-    smooth = surface.edges.smooth
-    polygon = surface.mesh.corner_polygon[smooth]
-    length = _half_edge_lengths(surface)[smooth[:, 0]]
-    while min_area > 0.0:
-        regions = connect_regions(surface, labels)
-        sides = regions.face_region[polygon]
-        is_border = (sides[:, 0] != sides[:, 1]) & (sides >= 0).all(axis=1)
-        small = np.flatnonzero(regions.area < min_area)
-        bordering = np.isin(small, sides[is_border])
-        if not bordering.any():
-            break
-        # Regions are sorted by area: the last is the smallest. One after the other, so that the
-        # result does not depend on which of two small neighbors is looked at first.
-        chosen = small[bordering][-1]
-        own = sides[is_border] == chosen
-        neighbor = np.where(own[:, 0], sides[is_border, 1], sides[is_border, 0])
-        shared = sum_by_group(
-            neighbor[own.any(axis=1)], length[is_border][own.any(axis=1)], regions.count
-        )
-        labels[regions.face_region == chosen] = regions.region_class[np.argmax(shared)]
-    return labels
-
-
 def _rounded(values: Floats) -> Floats:
     """Return values without their last digits, so that summation order does not sort them."""
     scale = float(values.max(initial=0.0)) or 1.0
     return np.round(values / scale, 9)
 
 
-def _half_edge_lengths(surface: Surface) -> Floats:
+def half_edge_lengths(surface: Surface) -> Floats:
+    """Return the length of the edge that starts at every corner, (c,) float64 in meters."""
     position = surface.mesh.vertices[surface.mesh.corner_vertex]
     return np.linalg.norm(position[surface.mesh.next_corner] - position, axis=1)
 
@@ -141,4 +100,4 @@ def _boundary_lengths(surface: Surface, face_region: Indices, count: int) -> Flo
     is_inside = region[pairs[:, 0]] == region[pairs[:, 1]]
     is_outline: Flags = region >= 0
     is_outline[pairs[is_inside].reshape(-1)] = False
-    return sum_by_group(region[is_outline], _half_edge_lengths(surface)[is_outline], count)
+    return sum_by_group(region[is_outline], half_edge_lengths(surface)[is_outline], count)

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .absorption import absorb_small_regions
 from .classification import SurfaceClass, classify
 from .curvature import Curvature
 from .faces import face_curvature
-from .regions import Regions, absorb_small_regions, connect_regions
+from .regions import Regions, connect_regions
 from .statistics import smallest_radius
 from .surface import Surface
 from .tolerance import Tolerance

@@ -6,9 +6,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from architectural_curvature.addon.geometry.absorption import absorb_small_regions
 from architectural_curvature.addon.geometry.mesh import mesh_from_polygons
 from architectural_curvature.addon.geometry.regions import (
-    absorb_small_regions,
     connect_regions,
 )
 from architectural_curvature.addon.geometry.surface import Surface, build_surface
