@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects with their modifiers applied, also those that Blender leaves out because they are hidden."""
+"""Objects with their modifiers applied, also those that Blender skips for being hidden."""
 
 from __future__ import annotations
 
