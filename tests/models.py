@@ -119,3 +119,11 @@ def inner_vertices(obj: Object, margin: float = 0.7) -> NDArray[np.bool_]:
     """Return which vertices of a grid lie well inside its rim."""
     position = np.array([vertex.co for vertex in obj.data.vertices])
     return (np.abs(position[:, :2]) < margin).all(axis=1)
+
+
+def deselect_all(obj: Object) -> None:
+    """Deselect the vertices, edges and faces of an object in Object Mode."""
+    # Blender 5.0 crashes where edges that are all selected are deselected by its own setter.
+    for name in (".select_vert", ".select_edge", ".select_poly"):
+        if name in obj.data.attributes:
+            obj.data.attributes.remove(obj.data.attributes[name])

@@ -57,11 +57,12 @@ def read_polygon_mesh(mesh: Mesh, meters_from_mesh: Floats) -> PolygonMesh:
     if np.isfinite(stored).all():
         # Meshes with coordinates that are not finite go on to be refused with a count; Blender
         # must not triangulate them before.
-        position -= 0.5 * (position.min(axis=0) + position.max(axis=0))
+        middle = 0.5 * (position.min(axis=0) + position.max(axis=0))
+        position = (position - middle) @ meters_from_mesh
         resolution = float(np.spacing(np.abs(stored).max()))
         mesh.calc_loop_triangles()
     return PolygonMesh(
-        vertices=position @ meters_from_mesh,
+        vertices=position,
         corner_vertex=read_array(mesh.loops, "vertex_index", np.int32).astype(np.int64),
         polygon_start=np.append(
             read_array(mesh.polygons, "loop_start", np.int32), len(mesh.loops)

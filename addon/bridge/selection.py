@@ -10,6 +10,8 @@ from bpy.types import Mesh
 from ..geometry.types import Flags
 from .mesh import read_array
 
+_EDGE_SELECTION = ".select_edge"
+
 
 def select_faces(mesh: Mesh, is_wanted: Flags, extend: bool) -> int:
     """Select faces with their edges and vertices, and return how many are selected then.
@@ -29,6 +31,9 @@ def select_faces(mesh: Mesh, is_wanted: Flags, extend: bool) -> int:
     at_corner = np.repeat(is_wanted, read_array(mesh.polygons, "loop_total", np.int32))
     vertices[read_array(mesh.loops, "vertex_index", np.int32)[at_corner]] = True
     edges[read_array(mesh.loops, "edge_index", np.int32)[at_corner]] = True
+    # Blender 5.0 keeps a selection of all edges as one value and crashes when single ones are set.
+    if _EDGE_SELECTION in mesh.attributes:
+        mesh.attributes.remove(mesh.attributes[_EDGE_SELECTION])
     mesh.vertices.foreach_set("select", vertices)
     mesh.edges.foreach_set("select", edges)
     mesh.polygons.foreach_set("select", is_wanted)

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from architectural_curvature.operators.select_class import CURVATURE_OT_select_class
 from bpy.types import Object
-from models import STRICT, add_surface, dome, only_select, plate, stored
+from models import STRICT, add_surface, deselect_all, dome, only_select, plate, stored
 
 
 def _half_bent(x: np.ndarray, _y: np.ndarray) -> np.ndarray:
@@ -26,8 +26,7 @@ def roof() -> Object:
     """A model with flat and single-curved faces, none selected."""
     obj = add_surface(_half_bent)
     bpy.ops.curvature.segment(**STRICT)
-    for part in (obj.data.vertices, obj.data.edges, obj.data.polygons):
-        part.foreach_set("select", np.zeros(len(part), dtype=bool))
+    deselect_all(obj)
     return obj
 
 
@@ -107,7 +106,7 @@ def test_all_selected_models_take_part_and_no_others() -> None:
     models = [add_surface(plate, name) for name in ("A", "B", "C")]
     bpy.ops.curvature.segment(**STRICT)
     for obj in models:
-        obj.data.polygons.foreach_set("select", np.zeros(256, dtype=bool))
+        deselect_all(obj)
     only_select(*models[:2])
     bpy.ops.curvature.select_class(surface_class="FLAT")
     assert [all(_selected(obj)) for obj in models] == [True, True, False]
