@@ -107,5 +107,6 @@ def _merge(
 
 def _follow(leader: list[int], number: int) -> int:
     while leader[number] != number:
-        number = leader[number] = leader[leader[number]]
+        leader[number] = leader[leader[number]]
+        number = leader[number]
     return number
