@@ -23,7 +23,7 @@ from ..report.files import FileRefusedError, write_report
 from ..reporting import document_of, merge_settings, scene_document, shares_text
 from .arguments import PROGRAM, parse_arguments
 from .outputs import Outputs, plan_outputs
-from .streams import Console, console
+from .streams import Console, console, silent_importers
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -78,7 +78,8 @@ def _segment_model(
     model: Path, files: Outputs, options: Namespace, screen: Console
 ) -> tuple[dict[str, Any], list[str]]:
     """Segment one model and write its files; return its report and what was refused in it."""
-    objects = importing.load_model(bpy.context, model, options.up)
+    with silent_importers():
+        objects = importing.load_model(bpy.context, model, options.up)
     context = bpy.context
     _apply_settings(options)
     outcome = tasks.segment_objects(

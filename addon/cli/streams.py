@@ -61,3 +61,19 @@ def console(is_quiet: bool) -> Iterator[Console]:
             results.flush()
             _flush_blender()
             os.dup2(results.fileno(), 1)
+
+
+@contextmanager
+def silent_importers() -> Iterator[None]:
+    """Drop what importers write to the standard error: the errors that they raise say it again."""
+    sys.stderr.flush()
+    real = os.dup(2)
+    with open(os.devnull, "wb") as nowhere:
+        os.dup2(nowhere.fileno(), 2)
+        try:
+            yield
+        finally:
+            sys.stderr.flush()
+            _flush_blender()
+            os.dup2(real, 2)
+            os.close(real)

@@ -114,6 +114,7 @@ def test_file_has_the_permissions_of_any_new_file(tmp_path: Path) -> None:
     assert (tmp_path / "report.json").stat().st_mode == usual.stat().st_mode
 
 
+@pytest.mark.filterwarnings("ignore:.*blend relative:RuntimeWarning")
 def test_path_may_be_relative_to_the_open_file(tmp_path: Path) -> None:
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "design.blend"))
     assert bpy.ops.curvature.export_report(filepath="//report.json") == {"FINISHED"}
