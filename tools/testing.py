@@ -128,14 +128,18 @@ def run_stage(stage: Stage, options: Sequence[str]) -> Counts:
     for folder in folders:
         if folder not in present:
             warn(f"{folder.relative_to(ROOT)} has no tests: nothing was run for {stage.name}")
-    if not present:
+    named, options = _take_paths(options)
+    chosen = present
+    if named:
+        chosen = [path for path in named if any(_is_in(path, folder) for folder in present)]
+    if not chosen:
         return Counts()
     say(f"testing {stage.name}")
     python = environments.ensure(stage.environment)
     with tempfile.TemporaryDirectory() as name:
         report = Path(name, "report.xml")
         status = subprocess.run(
-            [python, "-m", "pytest", "-q", f"--junitxml={report}", *options, *present],
+            [python, "-m", "pytest", "-q", f"--junitxml={report}", *options, *chosen],
             cwd=ROOT,
             env=python_environment(
                 BLENDER_USER_RESOURCES=f"{name}/blender",
@@ -146,6 +150,16 @@ def run_stage(stage: Stage, options: Sequence[str]) -> Counts:
             check=False,
         ).returncode
         return read_counts(report, status, stage.name)
+
+
+def _take_paths(options: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Divide pytest's options into those that name tests of ours and the others."""
+    named = [option for option in options if option.startswith("tests/")]
+    return named, [option for option in options if option not in named]
+
+
+def _is_in(test: str, folder: Path) -> bool:
+    return (ROOT / test.partition("::")[0]).is_relative_to(folder)
 
 
 def read_counts(report: Path, status: int, name: str) -> Counts:
