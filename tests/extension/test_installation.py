@@ -110,7 +110,7 @@ def test_zip_of_the_other_series_is_refused_in_words(
     extension: str, other_zip_file: Path, zip_file: Path, tmp_path: Path
 ) -> None:
     """Blender says which version it wants, and what was installed stays."""
-    session = subprocess.run(
+    session = subprocess.run(  # noqa: S603 - a program of ours
         [sys.executable, "-c", _INSTALL_BOTH, zip_file, other_zip_file],
         env={**os.environ, "BLENDER_USER_RESOURCES": str(tmp_path)},
         text=True,
