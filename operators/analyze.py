@@ -14,7 +14,7 @@ from ..addon.bridge.subject import selected_subjects
 from ..addon.choices import adopt_settings, analysis_settings, segmentation_settings
 from ..addon.geometry.errors import CurvatureError
 from ..addon.progress import progress
-from ..addon.properties import SMOOTHING_ITEMS
+from ..addon.properties.items import SMOOTHING_ITEMS
 from ..addon.reporting import conclude
 
 _NAMES = ("smoothing", "smoothing_length", "crease_angle", "flip_normals")

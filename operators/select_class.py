@@ -14,7 +14,7 @@ from ..addon.bridge.mode import enter_face_select, object_mode
 from ..addon.bridge.selection import select_faces
 from ..addon.bridge.subject import carrier_of, selected_subjects
 from ..addon.geometry.classification import SurfaceClass
-from ..addon.properties import CLASS_ITEMS
+from ..addon.properties.items import CLASS_ITEMS
 
 
 class CURVATURE_OT_select_class(Operator):

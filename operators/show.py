@@ -10,7 +10,7 @@ from bpy.types import Context, Operator
 from ..addon import polls
 from ..addon.bridge import display
 from ..addon.bridge.mode import object_mode
-from ..addon.properties import QUANTITY_ITEMS
+from ..addon.properties.items import QUANTITY_ITEMS
 
 
 class CURVATURE_OT_show(Operator):

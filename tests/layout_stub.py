@@ -6,13 +6,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from types import SimpleNamespace
-from typing import Any
 
 import bpy
 
-_ICONS = set(
-    bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items.keys()
-)
+_ICONS = set(bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items.keys())
 _CONTAINERS = ("row", "column", "box", "split", "grid_flow", "column_flow", "menu_pie")
 
 
@@ -35,17 +32,19 @@ class Layout:
         assert icon in _ICONS, icon
         self.texts.append(text)
 
-    def separator(self, **_options: Any) -> None:
+    def separator(self, **_options: object) -> None:
         """Leave a gap."""
 
-    def prop(self, owner: Any, name: str, *, icon: str = "NONE", **_options: Any) -> None:
+    def prop(
+        self, owner: bpy.types.bpy_struct, name: str, *, icon: str = "NONE", **_options: object
+    ) -> None:
         """Keep the name of a property, which must exist and can be read."""
         assert icon in _ICONS, icon
         assert name in owner.bl_rna.properties, name
         getattr(owner, name)
         self.properties.append(name)
 
-    def operator(self, name: str, *, icon: str = "NONE", **_options: Any) -> SimpleNamespace:
+    def operator(self, name: str, *, icon: str = "NONE", **_options: object) -> SimpleNamespace:
         """Keep the name of an operator, which must exist, as must the properties set on it."""
         assert icon in _ICONS, icon
         module, function = name.split(".")

@@ -118,7 +118,7 @@ def own_attributes(obj: Object) -> dict[str, tuple[str, str]]:
 def inner_vertices(obj: Object, margin: float = 0.7) -> NDArray[np.bool_]:
     """Return which vertices of a grid lie well inside its rim."""
     position = np.array([vertex.co for vertex in obj.data.vertices])
-    return (np.abs(position[:, :2]) < margin).all(axis=1)
+    return np.abs(position[:, :2]).max(axis=1) < margin
 
 
 def deselect_all(obj: Object) -> None:

@@ -86,7 +86,7 @@ def _draw(overlay: Callable[[], None]) -> Pixels:
     _window, area, region = _viewport()
     space = area.spaces.active
     space.overlay.show_overlays = False
-    offscreen = gpu.types.GPUOffScreen(WIDTH, HEIGHT)
+    offscreen = gpu.types.GPUOffScreen(WIDTH, HEIGHT)  # pyright: ignore[reportCallIssue]
     # Straight down on the 2 x 2 units of the test models, which fill half of the height.
     view = Matrix.Translation((0.0, 0.0, 10.0)).inverted()
     aspect = WIDTH / HEIGHT
@@ -108,9 +108,7 @@ def _draw(overlay: Callable[[], None]) -> Pixels:
         gpu.matrix.load_projection_matrix(to_pixels)
         with viewport_context():
             overlay()
-        buffer = gpu.state.active_framebuffer_get().read_color(
-            0, 0, WIDTH, HEIGHT, 4, 0, "UBYTE"
-        )
+        buffer = gpu.state.active_framebuffer_get().read_color(0, 0, WIDTH, HEIGHT, 4, 0, "UBYTE")
     buffer.dimensions = WIDTH * HEIGHT * 4
     offscreen.free()
     return np.array(buffer, dtype=np.uint8).reshape(HEIGHT, WIDTH, 4).astype(np.int64)

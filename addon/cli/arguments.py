@@ -12,7 +12,7 @@ from pathlib import Path
 from ..bridge.importing import ENDINGS
 from ..geometry.display.colormap import ColorMap
 from ..geometry.settings import Smoothing
-from ..properties import QUANTITY_ITEMS
+from ..properties.items import QUANTITY_ITEMS
 from ..report.files import FORMATS
 
 PROGRAM = "curvature"

@@ -4,6 +4,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import bpy
 import numpy as np
 import pytest
@@ -95,7 +98,7 @@ def test_second_run_writes_into_the_same_attributes() -> None:
     ],
 )
 def test_values_are_those_of_the_surface(
-    height: object, k1: float, k2: float, surface_class: int
+    height: Callable[..., Any], k1: float, k2: float, surface_class: int
 ) -> None:
     obj = _segmented(add_surface(height))
     middle = _middle(obj)
@@ -108,7 +111,7 @@ def test_values_are_those_of_the_surface(
 
 
 @pytest.mark.parametrize("height", [plate, barrel, dome, saddle])
-def test_identities_hold_at_every_vertex(height: object) -> None:
+def test_identities_hold_at_every_vertex(height: Callable[..., Any]) -> None:
     obj = _segmented(add_surface(height))
     k1, k2, gaussian, mean = (
         stored(obj, f"curvature_{name}").astype(float) for name in ("k1", "k2", "gaussian", "mean")

@@ -4,6 +4,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import bpy
 import pytest
 from bpy.types import Material, Object
@@ -131,7 +134,7 @@ def test_all_models_share_one_material() -> None:
 
 
 @pytest.mark.parametrize("give", SLOTS, ids=lambda give: give.__name__.strip("_"))
-def test_every_object_that_shares_a_mesh_is_covered_and_uncovered(give: object) -> None:
+def test_every_object_that_shares_a_mesh_is_covered_and_uncovered(give: Callable[..., Any]) -> None:
     one = add_surface(dome, "One")
     give(one)
     two = add_object("Two", one.data)

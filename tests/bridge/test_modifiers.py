@@ -4,6 +4,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import bpy
 import numpy as np
 import pytest
@@ -189,7 +192,7 @@ def _exclude(_obj: Object) -> None:
 
 
 @pytest.mark.parametrize("hide", [_hide, _disable, _disable_collection, _hide_collection, _exclude])
-def test_source_that_is_hidden_behind_its_copy_is_followed(hide: object) -> None:
+def test_source_that_is_hidden_behind_its_copy_is_followed(hide: Callable[..., Any]) -> None:
     """Blender leaves disabled objects as they are: their modifiers' changes must be seen still."""
     obj = add_surface(dome)
     models = bpy.data.collections.new("Models")

@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import bpy
 import numpy as np
 import pytest
@@ -34,7 +36,7 @@ def test_polygons_of_every_size_keep_their_corners_in_order() -> None:
     vertices = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(7)])
     mesh = _read(add_mesh("Fan", np.vstack([[0, 0, 0], vertices]), faces))
     starts = mesh.polygon_start
-    read = [tuple(mesh.corner_vertex[a:b]) for a, b in zip(starts[:-1], starts[1:], strict=True)]
+    read = [tuple(mesh.corner_vertex[a:b]) for a, b in pairwise(starts)]
     assert read == faces
 
 

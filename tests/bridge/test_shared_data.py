@@ -21,7 +21,7 @@ def _link_from_library(folder: Path) -> Object:
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     with bpy.data.libraries.load(file, link=True) as (_found, wanted):
         wanted.objects = ["Dome"]
-    obj = wanted.objects[0]
+    obj = bpy.data.objects["Dome"]
     bpy.context.scene.collection.objects.link(obj)
     obj.select_set(True)
     bpy.context.view_layer.objects.active = obj

@@ -5,6 +5,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from typing import Any
 
 import bpy
 import pytest
@@ -67,13 +69,15 @@ def test_results_of_an_unchanged_model_are_current(roof: Object) -> None:
 
 
 @pytest.mark.parametrize("change", CHANGES, ids=lambda change: change.__name__.strip("_"))
-def test_changed_shape_is_noticed(roof: Object, change: object) -> None:
+def test_changed_shape_is_noticed(roof: Object, change: Callable[..., Any]) -> None:
     change(roof)
     assert _changed() == [roof]
 
 
 @pytest.mark.parametrize("change", CHANGES, ids=lambda change: change.__name__.strip("_"))
-def test_analysis_of_a_changed_model_drops_its_old_classes(roof: Object, change: object) -> None:
+def test_analysis_of_a_changed_model_drops_its_old_classes(
+    roof: Object, change: Callable[..., Any]
+) -> None:
     change(roof)
     bpy.ops.curvature.analyze()
     assert not roof.data.curvature.is_segmented

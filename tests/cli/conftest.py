@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import ctypes
+import importlib
 import json
 import os
 import sys
@@ -84,9 +85,10 @@ def _text(file: IO[bytes]) -> str:
 
 
 @pytest.fixture
-def command(recorded: Record) -> Callable[..., Ended]:
+def command(recorded: Record, extension: str) -> Callable[..., Ended]:
     """Run the command in this process: a process of its own takes seconds to start."""
-    from architectural_curvature.addon import cli
+    # By its own name: other tests may have enabled the extension anew, and with it new modules.
+    cli = importlib.import_module(f"{extension}.addon.cli")
 
     def run(*arguments: object) -> Ended:
         with recorded() as streams:

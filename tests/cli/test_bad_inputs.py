@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import bpy
 import numpy as np
@@ -77,7 +78,7 @@ BAD = {
     "broken blend": (_broken(".blend"), "Blender cannot read it"),
     "no bytes": (_no_bytes, ""),
     "no objects": (_saved(lambda: None), "there is no mesh with faces in it"),
-    "no mesh": (_saved(lambda: bpy.ops.object.light_add()), "there is no mesh with faces in it"),
+    "no mesh": (_saved(bpy.ops.object.light_add), "there is no mesh with faces in it"),
     "empty mesh": (_saved(lambda: add_mesh("Roof", [], [])), "there is no mesh with faces in it"),
     "lone vertices": (
         _saved(lambda: add_mesh("Roof", [(0, 0, 0), (1, 0, 0)], [])),
@@ -90,15 +91,22 @@ BAD = {
 
 @pytest.mark.parametrize("kind", BAD)
 def test_bad_input_ends_in_one_line_and_writes_nothing(
-    kind: str, command: object, tmp_path: Path
+    kind: str, command: Callable[..., Any], tmp_path: Path
 ) -> None:
     make, words = BAD[kind]
     model = make(tmp_path)
     out = tmp_path / "out"
     out.mkdir()
     ended = command(
-        "segment", model, "--quiet",
-        "--output", out / "a.blend", "--report", out / "a.json", "--image", out / "a.png",
+        "segment",
+        model,
+        "--quiet",
+        "--output",
+        out / "a.blend",
+        "--report",
+        out / "a.json",
+        "--image",
+        out / "a.png",
     )
     assert ended.status == 1
     assert ended.out == ""
@@ -111,7 +119,7 @@ def test_bad_input_ends_in_one_line_and_writes_nothing(
 
 @pytest.mark.parametrize("option", ["--output", "--report", "--image"])
 def test_folder_that_cannot_be_written_to_is_refused_before_any_work(
-    option: str, command: object, roof: Path, tmp_path: Path
+    option: str, command: Callable[..., Any], roof: Path, tmp_path: Path
 ) -> None:
     """A file in place of the folder stops even the administrator."""
     obstacle = tmp_path / "obstacle"
@@ -127,7 +135,7 @@ def test_folder_that_cannot_be_written_to_is_refused_before_any_work(
 
 @pytest.mark.parametrize("ending", [".json", ".blend", ".png"])
 def test_read_only_folder_is_refused(
-    ending: str, command: object, roof: Path, tmp_path: Path
+    ending: str, command: Callable[..., Any], roof: Path, tmp_path: Path
 ) -> None:
     if not Path("/proc/self").exists():
         pytest.skip("only Linux has a folder that even the administrator cannot write to")
@@ -139,7 +147,7 @@ def test_read_only_folder_is_refused(
 
 
 def test_one_bad_object_of_a_file_is_said_and_the_others_are_done(
-    command: object, save: object
+    command: Callable[..., Any], save: Callable[..., Any]
 ) -> None:
     _nan()
     bpy.context.object.name = "Bad"

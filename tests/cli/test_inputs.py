@@ -4,7 +4,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import bpy
 import pytest
@@ -36,7 +38,7 @@ WRITERS = {
 
 @pytest.mark.parametrize("ending", WRITERS)
 def test_model_of_every_format_is_segmented(
-    ending: str, command: object, recorded: object, tmp_path: Path
+    ending: str, command: Callable[..., Any], recorded: Callable[..., Any], tmp_path: Path
 ) -> None:
     add_surface(barrel)
     path = tmp_path / f"roof{ending}"
@@ -59,20 +61,22 @@ def test_every_known_ending_is_tested() -> None:
     assert set(WRITERS) == set(ENDINGS)
 
 
-def test_ending_may_be_in_capitals(command: object, tmp_path: Path) -> None:
+def test_ending_may_be_in_capitals(command: Callable[..., Any], tmp_path: Path) -> None:
     add_surface(dome)
     bpy.ops.wm.obj_export(filepath=str(tmp_path / "ROOF.OBJ"))
     assert command("segment", tmp_path / "ROOF.OBJ").status == 0
 
 
-def test_name_may_have_spaces_and_accents(command: object, tmp_path: Path) -> None:
+def test_name_may_have_spaces_and_accents(command: Callable[..., Any], tmp_path: Path) -> None:
     add_surface(dome)
     path = tmp_path / "Dach Süd (2).obj"
     bpy.ops.wm.obj_export(filepath=str(path))
     assert command("segment", path, "--json").report["objects"][0]["source"] == str(path)
 
 
-def test_every_object_of_a_file_is_segmented(command: object, save: object) -> None:
+def test_every_object_of_a_file_is_segmented(
+    command: Callable[..., Any], save: Callable[..., Any]
+) -> None:
     for height, name in ((plate, "A"), (barrel, "B"), (saddle, "C")):
         add_surface(height, name)
     ended = command("segment", save("all.blend"), "--json", *TOLERANCE)
@@ -83,28 +87,30 @@ def test_every_object_of_a_file_is_segmented(command: object, save: object) -> N
     assert shares == {"A": "flat", "B": "single_curved", "C": "double_curved_hyperbolic"}
 
 
-def test_objects_that_renders_leave_out_are_left_out(command: object, save: object) -> None:
+def test_objects_that_renders_leave_out_are_left_out(
+    command: Callable[..., Any], save: Callable[..., Any]
+) -> None:
     add_surface(dome, "Shown")
     add_surface(dome, "Hidden").hide_render = True
     ended = command("segment", save("some.blend"), "--json")
     assert [block["name"] for block in ended.report["objects"]] == ["Shown"]
 
 
-def test_modifiers_of_a_file_count(command: object, save: object) -> None:
+def test_modifiers_of_a_file_count(command: Callable[..., Any], save: Callable[..., Any]) -> None:
     add_surface(dome).modifiers.new("Subdivision", "SUBSURF").render_levels = 1
     (block,) = command("segment", save("roof.blend"), "--json").report["objects"]
     assert block["name"] == "Roof"
     assert block["faces"] == 4 * 256
 
 
-def test_unit_of_the_file_counts(command: object, save: object) -> None:
+def test_unit_of_the_file_counts(command: Callable[..., Any], save: Callable[..., Any]) -> None:
     bpy.context.scene.unit_settings.scale_length = 0.001
     add_surface(barrel).data.transform(Matrix.Scale(1000.0, 4))
     (block,) = command("segment", save("mm.blend"), "--json", *TOLERANCE).report["objects"]
     assert block["classes"]["single_curved"]["min_radius"] == pytest.approx(RADIUS, rel=0.02)
 
 
-def test_unit_can_be_given(command: object, tmp_path: Path) -> None:
+def test_unit_can_be_given(command: Callable[..., Any], tmp_path: Path) -> None:
     """A file in millimeters, which .obj cannot say."""
     add_surface(barrel).data.transform(Matrix.Scale(1000.0, 4))
     path = tmp_path / "mm.obj"
@@ -116,7 +122,9 @@ def test_unit_can_be_given(command: object, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("up", ["Y", "Z"])
-def test_axis_that_points_up_can_be_given(up: str, command: object, tmp_path: Path) -> None:
+def test_axis_that_points_up_can_be_given(
+    up: str, command: Callable[..., Any], tmp_path: Path
+) -> None:
     add_surface(lambda x, y: 0.01 * dome(x, y))
     path, out = tmp_path / "roof.obj", tmp_path / "out.blend"
     forward = {"Y": "NEGATIVE_Z", "Z": "Y"}[up]

@@ -6,7 +6,9 @@ from __future__ import annotations
 
 import csv
 import json
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import bpy
 import pytest
@@ -20,7 +22,9 @@ def _arguments(folder: Path) -> list[object]:
     return [part for option, end in OPTIONS.items() for part in (option, folder / f"out{end}")]
 
 
-def test_blender_file_holds_the_results(command: object, roof: Path, tmp_path: Path) -> None:
+def test_blender_file_holds_the_results(
+    command: Callable[..., Any], roof: Path, tmp_path: Path
+) -> None:
     out = tmp_path / "out.blend"
     assert command("segment", roof, "--output", out, "--panel-size", 1).status == 0
     bpy.ops.wm.open_mainfile(filepath=str(out))
@@ -32,7 +36,9 @@ def test_blender_file_holds_the_results(command: object, roof: Path, tmp_path: P
     assert obj.material_slots[0].material.name == "Curvature Colors"
 
 
-def test_reports_in_both_formats_are_written(command: object, roof: Path, tmp_path: Path) -> None:
+def test_reports_in_both_formats_are_written(
+    command: Callable[..., Any], roof: Path, tmp_path: Path
+) -> None:
     ended = command("segment", roof, "--report", tmp_path / "a.json", "--json")
     assert json.loads((tmp_path / "a.json").read_text(encoding="utf-8")) == ended.report
     assert command("segment", roof, "--report", tmp_path / "a.csv").status == 0
@@ -42,7 +48,7 @@ def test_reports_in_both_formats_are_written(command: object, roof: Path, tmp_pa
 
 @pytest.mark.parametrize("option", OPTIONS)
 def test_existing_file_is_not_replaced(
-    option: str, command: object, roof: Path, tmp_path: Path
+    option: str, command: Callable[..., Any], roof: Path, tmp_path: Path
 ) -> None:
     path = tmp_path / f"out{OPTIONS[option]}"
     path.write_bytes(b"precious")
@@ -53,7 +59,7 @@ def test_existing_file_is_not_replaced(
 
 
 def test_existing_files_are_replaced_on_request(
-    command: object, roof: Path, tmp_path: Path
+    command: Callable[..., Any], roof: Path, tmp_path: Path
 ) -> None:
     arguments = _arguments(tmp_path)
     for path in arguments[1::2]:
@@ -65,7 +71,7 @@ def test_existing_files_are_replaced_on_request(
 
 @pytest.mark.parametrize("with_overwrite", [False, True])
 def test_model_is_never_replaced(
-    with_overwrite: bool, command: object, roof: Path
+    with_overwrite: bool, command: Callable[..., Any], roof: Path
 ) -> None:
     before = roof.read_bytes()
     extra = ["--overwrite"] if with_overwrite else []
@@ -76,7 +82,7 @@ def test_model_is_never_replaced(
 
 
 def test_nothing_but_the_wanted_files_is_left(
-    command: object, roof: Path, tmp_path: Path
+    command: Callable[..., Any], roof: Path, tmp_path: Path
 ) -> None:
     out = tmp_path / "out"
     out.mkdir()
@@ -84,7 +90,7 @@ def test_nothing_but_the_wanted_files_is_left(
     assert sorted(path.name for path in out.iterdir()) == ["out.blend", "out.json", "out.png"]
 
 
-def test_failure_leaves_the_old_files(command: object, tmp_path: Path) -> None:
+def test_failure_leaves_the_old_files(command: Callable[..., Any], tmp_path: Path) -> None:
     arguments = _arguments(tmp_path)
     for path in arguments[1::2]:
         path.write_bytes(b"old")
@@ -95,7 +101,7 @@ def test_failure_leaves_the_old_files(command: object, tmp_path: Path) -> None:
 
 
 @pytest.fixture
-def three(save: object) -> list[Path]:
+def three(save: Callable[..., Any]) -> list[Path]:
     """Three models in files of their own."""
     paths = []
     for height, name in ((dome, "dome"), (barrel, "barrel"), (saddle, "saddle")):
@@ -107,22 +113,29 @@ def three(save: object) -> list[Path]:
 
 
 def test_several_models_get_files_of_their_own_and_one_report(
-    command: object, three: list[Path], tmp_path: Path
+    command: Callable[..., Any], three: list[Path], tmp_path: Path
 ) -> None:
     out = tmp_path / "out"
     out.mkdir()
     ended = command("segment", *three, *_arguments(out), *SMALL)
     assert ended.status == 0
     assert sorted(path.name for path in out.iterdir()) == [
-        "out-barrel.blend", "out-barrel.png", "out-dome.blend", "out-dome.png",
-        "out-saddle.blend", "out-saddle.png", "out.json",
+        "out-barrel.blend",
+        "out-barrel.png",
+        "out-dome.blend",
+        "out-dome.png",
+        "out-saddle.blend",
+        "out-saddle.png",
+        "out.json",
     ]
     report = json.loads((out / "out.json").read_text(encoding="utf-8"))
     assert [block["name"] for block in report["objects"]] == ["Dome", "Barrel", "Saddle"]
     assert [block["source"] for block in report["objects"]] == [str(path) for path in three]
 
 
-def test_models_of_one_name_are_numbered(command: object, three: list[Path], tmp_path: Path) -> None:
+def test_models_of_one_name_are_numbered(
+    command: Callable[..., Any], three: list[Path], tmp_path: Path
+) -> None:
     twin = tmp_path / "twin" / three[0].name
     twin.parent.mkdir()
     twin.write_bytes(three[0].read_bytes())
@@ -132,7 +145,7 @@ def test_models_of_one_name_are_numbered(command: object, three: list[Path], tmp
 
 
 def test_failing_model_does_not_stop_the_others(
-    command: object, three: list[Path], tmp_path: Path
+    command: Callable[..., Any], three: list[Path], tmp_path: Path
 ) -> None:
     models = [three[0], tmp_path / "missing.obj", three[2]]
     ended = command("segment", *models, "--report", tmp_path / "r.json", "--json")

@@ -6,7 +6,9 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import bpy
 import pytest
@@ -31,7 +33,11 @@ def _of_operators(tmp_path: Path, **properties: float) -> dict:
     ],
 )
 def test_numbers_are_those_of_the_operators(
-    arguments: list, properties: dict, command: object, save: object, tmp_path: Path
+    arguments: list,
+    properties: dict,
+    command: Callable[..., Any],
+    save: Callable[..., Any],
+    tmp_path: Path,
 ) -> None:
     add_surface(lambda x, y: 0.2 * dome(x, y) - 0.4 * abs(x), "A")
     add_surface(saddle, "B").location.x = 3.0
@@ -46,7 +52,7 @@ def test_numbers_are_those_of_the_operators(
     assert ours["settings"] == theirs["settings"]
 
 
-def test_flipped_normals_flip_the_sign(command: object, roof: Path) -> None:
+def test_flipped_normals_flip_the_sign(command: Callable[..., Any], roof: Path) -> None:
     plain = command("segment", roof, "--json").report["objects"][0]
     flipped = command("segment", roof, "--json", "--flip-normals").report["objects"][0]
     assert flipped["mean_curvature"]["mean"] == pytest.approx(-plain["mean_curvature"]["mean"])
@@ -54,13 +60,11 @@ def test_flipped_normals_flip_the_sign(command: object, roof: Path) -> None:
 
 
 def test_one_line_per_object_goes_to_the_standard_output(
-    command: object, save: object
+    command: Callable[..., Any], save: Callable[..., Any]
 ) -> None:
     add_surface(barrel, "Vault")
     add_surface(dome, "Dome")
-    ended = command(
-        "segment", save("model.blend"), "--panel-size", 1.0, "--deviation", 0.01
-    )
+    ended = command("segment", save("model.blend"), "--panel-size", 1.0, "--deviation", 0.01)
     lines = sorted(ended.out.splitlines())
     assert len(lines) == 2
     assert lines[0].startswith("model.blend: Dome: ")
@@ -71,7 +75,9 @@ def test_one_line_per_object_goes_to_the_standard_output(
     assert "smallest radius 1.99 m" in lines[1] or "smallest radius 2.00 m" in lines[1]
 
 
-def test_json_is_all_that_is_on_the_standard_output(command: object, roof: Path) -> None:
+def test_json_is_all_that_is_on_the_standard_output(
+    command: Callable[..., Any], roof: Path
+) -> None:
     ended = command("segment", roof, "--json")
     assert ended.report["schema"] == 1
     assert ended.out.lstrip().startswith("{")
@@ -79,7 +85,7 @@ def test_json_is_all_that_is_on_the_standard_output(command: object, roof: Path)
 
 
 def test_progress_goes_to_the_standard_error_and_can_be_silenced(
-    command: object, roof: Path, tmp_path: Path
+    command: Callable[..., Any], roof: Path, tmp_path: Path
 ) -> None:
     loud = command("segment", roof, "--report", tmp_path / "a.json")
     assert f"[1/1] {roof}" in loud.err
@@ -90,7 +96,7 @@ def test_progress_goes_to_the_standard_error_and_can_be_silenced(
     assert quiet.out == loud.out
 
 
-def test_warnings_are_told(command: object, save: object) -> None:
+def test_warnings_are_told(command: Callable[..., Any], save: Callable[..., Any]) -> None:
     add_surface(dome).data.vertices.add(1)
     ended = command("segment", save("model.blend"), "--json")
     assert ended.status == 0
@@ -100,12 +106,20 @@ def test_warnings_are_told(command: object, save: object) -> None:
 
 @pytest.mark.parametrize("quantity", ["GAUSSIAN", "MEAN", "K1", "K2", "CLASS", "REGION"])
 def test_quantity_is_the_one_that_the_file_shows(
-    quantity: str, command: object, roof: Path, tmp_path: Path
+    quantity: str, command: Callable[..., Any], roof: Path, tmp_path: Path
 ) -> None:
     out = tmp_path / "out.blend"
     ended = command(
-        "segment", roof, "--output", out, "--quantity", quantity,
-        "--color-map", "PURPLE_ORANGE", "--range", 0.75,
+        "segment",
+        roof,
+        "--output",
+        out,
+        "--quantity",
+        quantity,
+        "--color-map",
+        "PURPLE_ORANGE",
+        "--range",
+        0.75,
     )
     assert ended.status == 0
     bpy.ops.wm.open_mainfile(filepath=str(out))
@@ -116,7 +130,7 @@ def test_quantity_is_the_one_that_the_file_shows(
 
 
 def test_second_run_on_the_output_gives_the_same(
-    command: object, save: object, tmp_path: Path
+    command: Callable[..., Any], save: Callable[..., Any], tmp_path: Path
 ) -> None:
     """The output holds the copy that carries the results: it is no model of its own."""
     add_surface(dome).modifiers.new("Subdivision", "SUBSURF").levels = 1

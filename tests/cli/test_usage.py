@@ -4,7 +4,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -34,7 +36,7 @@ WRONG = {
 
 
 @pytest.mark.parametrize("kind", WRONG)
-def test_wrong_usage_ends_in_one_line(kind: str, command: object) -> None:
+def test_wrong_usage_ends_in_one_line(kind: str, command: Callable[..., Any]) -> None:
     arguments, words = WRONG[kind]
     ended = command(*arguments)
     assert ended.status == 2
@@ -44,24 +46,34 @@ def test_wrong_usage_ends_in_one_line(kind: str, command: object) -> None:
     assert "see --help" in ended.err
 
 
-def test_wrong_usage_writes_nothing(command: object, roof: Path, tmp_path: Path) -> None:
+def test_wrong_usage_writes_nothing(
+    command: Callable[..., Any], roof: Path, tmp_path: Path
+) -> None:
     ended = command("segment", roof, "--report", tmp_path / "a.json", "--min-area", "much")
     assert ended.status == 2
     assert not (tmp_path / "a.json").exists()
 
 
 @pytest.mark.parametrize("arguments", [["--help"], ["segment", "--help"]])
-def test_help_is_given_on_request(arguments: list[str], command: object) -> None:
+def test_help_is_given_on_request(arguments: list[str], command: Callable[..., Any]) -> None:
     ended = command(*arguments)
     assert ended.status == 0
     assert "usage: blender --command curvature" in ended.out
     assert not ended.err
 
 
-def test_help_explains_every_documented_option(command: object) -> None:
+def test_help_explains_every_documented_option(command: Callable[..., Any]) -> None:
     text = command("segment", "--help").out
     for option in (
-        "--output", "--report", "--image", "--panel-size", "--deviation", "--crease-angle",
-        "--min-area", "--overwrite", "--quiet", "--json",
+        "--output",
+        "--report",
+        "--image",
+        "--panel-size",
+        "--deviation",
+        "--crease-angle",
+        "--min-area",
+        "--overwrite",
+        "--quiet",
+        "--json",
     ):
         assert option in text

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import Any
 
 import bpy
 import pytest
@@ -18,7 +17,7 @@ Report = Callable[..., tuple[set[str], str]]
 def run(capfd: pytest.CaptureFixture[str]) -> Report:
     """Run an operator and return its result and what it reported, such as "Info: Done"."""
 
-    def call(name: str, *arguments: str, **properties: Any) -> tuple[set[str], str]:
+    def call(name: str, *arguments: str, **properties: object) -> tuple[set[str], str]:
         capfd.readouterr()
         try:
             result = getattr(bpy.ops.curvature, name)(*arguments, **properties)

@@ -4,6 +4,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import bpy
 import pytest
 from bpy.types import Object
@@ -68,14 +71,14 @@ def test_objects_of_the_user_in_our_collection_stay() -> None:
     assert list(bpy.data.collections["Roof Curvature"].objects) == [guest]
 
 
-def test_number_of_models_is_reported(run: object) -> None:
+def test_number_of_models_is_reported(run: Callable[..., Any]) -> None:
     add_surface(dome, "One")
     add_surface(dome, "Two")
     bpy.ops.curvature.segment(**STRICT)
     assert run("clear") == ({"FINISHED"}, "Info: Cleared 2 models")
 
 
-def test_nothing_to_clear_is_said_and_makes_no_undo_step(run: object) -> None:
+def test_nothing_to_clear_is_said_and_makes_no_undo_step(run: Callable[..., Any]) -> None:
     add_surface(dome)
     assert run("clear") == (
         {"CANCELLED"},

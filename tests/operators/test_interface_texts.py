@@ -55,9 +55,7 @@ def _labels() -> dict[str, str]:
 
 
 def _tooltips() -> dict[str, str]:
-    found = {
-        cls.__name__: cls.bl_description for cls in _classes() if "_OT_" in cls.__name__
-    }
+    found = {cls.__name__: cls.bl_description for cls in _classes() if "_OT_" in cls.__name__}
     found |= {name: value.description for name, value in _properties()}
     for name, value in _properties():
         for item in getattr(value, "enum_items", ()):
@@ -125,6 +123,6 @@ def test_lengths_and_angles_have_units() -> None:
 def test_numbers_that_cannot_be_negative_are_bounded() -> None:
     for name, value in _properties():
         key = name.rsplit(".", 1)[1]
-        if key in {"panel_size", "deviation", "min_area", "crease_angle", "range_limit"}:
-            if "PG_results" not in name:
-                assert value.hard_min >= 0.0, name
+        bounded = {"panel_size", "deviation", "min_area", "crease_angle", "range_limit"}
+        if key in bounded and "PG_results" not in name:
+            assert value.hard_min >= 0.0, name

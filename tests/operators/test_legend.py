@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import bpy
 import numpy as np
 import pytest
@@ -125,7 +127,7 @@ def test_legend_follows_undo() -> None:
     assert _legend() is not None
 
 
-def test_legend_of_a_loaded_file_is_that_of_the_saved_one(tmp_path: object) -> None:
+def test_legend_of_a_loaded_file_is_that_of_the_saved_one(tmp_path: Path) -> None:
     add_surface(dome)
     bpy.ops.curvature.segment(**STRICT)
     before = _legend()

@@ -54,7 +54,9 @@ def test_labels_follow_their_faces(name: str, pair: tuple) -> None:
 
 def test_measures_are_the_same(pair: tuple) -> None:
     plain, shuffled, _, _ = pair
-    for one, other in zip(plain.data.curvature.classes, shuffled.data.curvature.classes, strict=True):
+    for one, other in zip(
+        plain.data.curvature.classes, shuffled.data.curvature.classes, strict=True
+    ):
         assert (one.faces, one.regions) == (other.faces, other.regions)
         assert one.area == pytest.approx(other.area, rel=1e-6)
         assert one.min_radius == pytest.approx(other.min_radius, rel=1e-4)

@@ -4,7 +4,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from types import SimpleNamespace
+from typing import Any
 
 import bpy
 import pytest
@@ -107,7 +109,7 @@ STATES = [
 
 @pytest.mark.parametrize("state", STATES, ids=lambda state: state.__name__.strip("_"))
 def test_every_panel_draws_and_measures_nothing(
-    state: object, monkeypatch: pytest.MonkeyPatch
+    state: Callable[..., Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     state()
 

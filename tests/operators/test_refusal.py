@@ -4,6 +4,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import bpy
 import numpy as np
 import pytest
@@ -75,7 +78,7 @@ def _everything() -> dict[str, object]:
 @pytest.mark.parametrize("operator", ["analyze", "segment"])
 @pytest.mark.parametrize("words", BAD)
 def test_bad_mesh_is_refused_in_words_and_nothing_changes(
-    words: str, operator: str, run: object
+    words: str, operator: str, run: Callable[..., Any]
 ) -> None:
     BAD[words]()
     before = _everything()
@@ -87,7 +90,7 @@ def test_bad_mesh_is_refused_in_words_and_nothing_changes(
 
 
 @pytest.mark.parametrize("words", BAD)
-def test_refused_object_does_not_stop_the_others(words: str, run: object) -> None:
+def test_refused_object_does_not_stop_the_others(words: str, run: Callable[..., Any]) -> None:
     sound = [add_surface(dome, "Before")]
     BAD[words]()
     sound.append(add_surface(dome, "Later"))
@@ -100,7 +103,7 @@ def test_refused_object_does_not_stop_the_others(words: str, run: object) -> Non
     assert not bpy.data.objects["Bad"].data.curvature.fingerprint
 
 
-def test_earlier_results_survive_a_refusal(run: object) -> None:
+def test_earlier_results_survive_a_refusal(run: Callable[..., Any]) -> None:
     obj = add_surface(dome)
     bpy.ops.curvature.segment(**STRICT)
     obj.data.vertices[0].co.x = np.nan
@@ -109,7 +112,7 @@ def test_earlier_results_survive_a_refusal(run: object) -> None:
     assert _everything() == before
 
 
-def test_faces_without_area_make_no_crash_and_no_class(run: object) -> None:
+def test_faces_without_area_make_no_crash_and_no_class(run: Callable[..., Any]) -> None:
     obj = _one_place()
     before = own_attributes(obj)
     result, message = run("segment", **STRICT)
@@ -121,7 +124,7 @@ def test_faces_without_area_make_no_crash_and_no_class(run: object) -> None:
         assert stored(obj, "curvature_class").tolist() == [-1]
 
 
-def test_unsound_parts_are_counted_and_the_rest_is_classified(run: object) -> None:
+def test_unsound_parts_are_counted_and_the_rest_is_classified(run: Callable[..., Any]) -> None:
     """A dome with a repeated face, an inner face, a vertex without faces and a lone edge."""
     vertices, faces = grid(dome)
     faces = [tuple(face) for face in faces]
@@ -139,7 +142,7 @@ def test_unsound_parts_are_counted_and_the_rest_is_classified(run: object) -> No
     assert (classes == 2).mean() > 0.9
 
 
-def test_faces_wound_both_ways_are_warned_of(run: object) -> None:
+def test_faces_wound_both_ways_are_warned_of(run: Callable[..., Any]) -> None:
     vertices, faces = grid(dome)
     faces = [face[::-1] if number % 16 < 8 else face for number, face in enumerate(faces)]
     obj = add_mesh("Roof", vertices, faces)
@@ -149,7 +152,7 @@ def test_faces_wound_both_ways_are_warned_of(run: object) -> None:
     assert (stored(obj, "curvature_class") == 2).all()
 
 
-def test_result_is_reported_in_numbers(run: object) -> None:
+def test_result_is_reported_in_numbers(run: Callable[..., Any]) -> None:
     add_surface(dome)
     result, message = run("segment", **STRICT)
     assert result == {"FINISHED"}

@@ -7,7 +7,9 @@ from __future__ import annotations
 import csv
 import json
 import os
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import bpy
 import pytest
@@ -67,7 +69,7 @@ def test_ending_may_be_in_capitals(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["report", "report.txt", "report.xlsx", "report.json.bak"])
-def test_other_endings_are_refused(name: str, tmp_path: Path, run: object) -> None:
+def test_other_endings_are_refused(name: str, tmp_path: Path, run: Callable[..., Any]) -> None:
     result, message = run("export_report", filepath=str(tmp_path / name))
     assert result == {"CANCELLED"}
     assert message.startswith(f"Error: {name}: reports end in .json or .csv")
@@ -76,7 +78,7 @@ def test_other_endings_are_refused(name: str, tmp_path: Path, run: object) -> No
 
 @pytest.mark.parametrize("ending", [".json", ".csv"])
 def test_failure_leaves_the_old_file_and_no_other(
-    ending: str, tmp_path: Path, run: object, monkeypatch: pytest.MonkeyPatch
+    ending: str, tmp_path: Path, run: Callable[..., Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / f"report{ending}"
     path.write_text("old", encoding="utf-8")
@@ -93,14 +95,14 @@ def test_failure_leaves_the_old_file_and_no_other(
     assert path.read_text(encoding="utf-8") == "old"
 
 
-def test_missing_folder_is_refused(tmp_path: Path, run: object) -> None:
+def test_missing_folder_is_refused(tmp_path: Path, run: Callable[..., Any]) -> None:
     result, message = run("export_report", filepath=str(tmp_path / "nowhere" / "report.json"))
     assert result == {"CANCELLED"}
     assert "cannot write into the folder" in message
     assert not list(tmp_path.iterdir())
 
 
-def test_folder_in_place_of_a_file_is_refused(tmp_path: Path, run: object) -> None:
+def test_folder_in_place_of_a_file_is_refused(tmp_path: Path, run: Callable[..., Any]) -> None:
     (tmp_path / "report.json").mkdir()
     result, message = run("export_report", filepath=str(tmp_path / "report.json"))
     assert result == {"CANCELLED"}
@@ -124,7 +126,7 @@ def test_path_may_be_relative_to_the_open_file(tmp_path: Path) -> None:
     }
 
 
-def test_written_file_is_named(tmp_path: Path, run: object) -> None:
+def test_written_file_is_named(tmp_path: Path, run: Callable[..., Any]) -> None:
     assert run("export_report", filepath=str(tmp_path / "report.csv")) == (
         {"FINISHED"},
         "Info: Wrote report.csv",

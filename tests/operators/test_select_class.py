@@ -4,8 +4,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from types import SimpleNamespace
+from typing import Any
 
 import bmesh
 import bpy
@@ -112,7 +114,7 @@ def test_all_selected_models_take_part_and_no_others() -> None:
     assert [all(_selected(obj)) for obj in models] == [True, True, False]
 
 
-def test_number_of_faces_is_reported(roof: Object, run: object) -> None:
+def test_number_of_faces_is_reported(roof: Object, run: Callable[..., Any]) -> None:
     count = sum(_of_class(roof, 0))
     assert run("select_class", surface_class="FLAT") == (
         {"FINISHED"},

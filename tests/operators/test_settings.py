@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import math
+from pathlib import Path
 
 import bpy
 import pytest
@@ -102,7 +103,9 @@ def test_class_follows_the_tolerance() -> None:
 def test_flipped_normals_change_the_signs_and_not_the_classes() -> None:
     obj = add_surface(barrel)
     bpy.ops.curvature.segment(**STRICT)
-    k1, k2, gaussian = (stored(obj, f"curvature_{name}").copy() for name in ("k1", "k2", "gaussian"))
+    k1, k2, gaussian = (
+        stored(obj, f"curvature_{name}").copy() for name in ("k1", "k2", "gaussian")
+    )
     classes = stored(obj, "curvature_class").tolist()
     bpy.context.scene.curvature.flip_normals = True
     bpy.ops.curvature.segment(**STRICT)
@@ -117,9 +120,7 @@ def test_minimum_area_absorbs_small_regions() -> None:
     obj = add_surface(lambda x, y: 0.05 * ((x**2 + y**2) < 0.01))
     bpy.ops.curvature.segment(panel_size=1.0, deviation=0.01, crease_angle=math.pi)
     assert len(set(stored(obj, "curvature_region").tolist())) > 1
-    bpy.ops.curvature.segment(
-        panel_size=1.0, deviation=0.01, crease_angle=math.pi, min_area=3.0
-    )
+    bpy.ops.curvature.segment(panel_size=1.0, deviation=0.01, crease_angle=math.pi, min_area=3.0)
     assert set(stored(obj, "curvature_region").tolist()) == {0}
 
 
@@ -140,7 +141,7 @@ def test_settings_are_of_the_scene() -> None:
     assert other.curvature.panel_size == 0.0
 
 
-def test_settings_and_results_are_stored_in_the_file(tmp_path: object) -> None:
+def test_settings_and_results_are_stored_in_the_file(tmp_path: Path) -> None:
     obj = add_surface(dome)
     bpy.context.scene.curvature.range_mode = "FIXED"
     bpy.context.scene.curvature.range_limit = 0.25

@@ -4,6 +4,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import bpy
 import numpy as np
 import pytest
@@ -112,7 +115,7 @@ def test_regions_have_colors_of_their_own() -> None:
     assert (colors[regions == 0][0] != colors[regions == 1][0]).any()
 
 
-def test_classes_that_do_not_exist_are_refused_in_words(run: object) -> None:
+def test_classes_that_do_not_exist_are_refused_in_words(run: Callable[..., Any]) -> None:
     add_surface(dome)
     bpy.ops.curvature.analyze()
     assert run("show", quantity="CLASS") == (

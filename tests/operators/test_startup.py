@@ -10,22 +10,19 @@ import sys
 from pathlib import Path
 
 import bpy
-import pytest
 from models import STRICT, add_surface, dome
 
 _HEAVY = ("scipy", "igl")
 
 _SESSION = """
-import json, sys, time
+import json, sys
 import bpy, addon_utils
 extension, file, do = sys.argv[1:]
-started = time.perf_counter()
 addon_utils.enable(extension)
-seconds = time.perf_counter() - started
 if file:
     bpy.ops.wm.open_mainfile(filepath=file)
 exec(do)
-print("RESULT", json.dumps([sorted({name.split(".")[0] for name in sys.modules}), seconds]))
+print("RESULT", json.dumps(sorted({name.split(".")[0] for name in sys.modules})))
 """
 
 _DRAW = """
@@ -43,9 +40,9 @@ assert content.legend_of(bpy.context.scene, bpy.context.object) is not None
 """
 
 
-def _session(extension: str, file: str = "", do: str = "") -> tuple[list[str], float]:
-    """Return the modules that a fresh Blender has loaded, and the time to enable the extension."""
-    ended = subprocess.run(
+def _session(extension: str, file: str = "", do: str = "") -> list[str]:
+    """Return the modules that a fresh Blender with the extension has loaded."""
+    ended = subprocess.run(  # noqa: S603 - the session above, in the Python of these tests
         [sys.executable, "-c", _SESSION, extension, file, do],
         capture_output=True,
         text=True,
@@ -53,12 +50,11 @@ def _session(extension: str, file: str = "", do: str = "") -> tuple[list[str], f
     )
     lines = [line for line in ended.stdout.splitlines() if line.startswith("RESULT ")]
     assert lines, ended.stdout + ended.stderr
-    modules, seconds = json.loads(lines[0].removeprefix("RESULT "))
-    return modules, seconds
+    return json.loads(lines[0].removeprefix("RESULT "))
 
 
 def test_enabling_loads_no_library(extension: str) -> None:
-    modules, _seconds = _session(extension)
+    modules = _session(extension)
     assert "numpy" in modules
     assert not set(_HEAVY) & set(modules)
 
@@ -71,13 +67,12 @@ def test_showing_stored_results_loads_no_library(
     bpy.ops.curvature.segment(**STRICT)
     file = str(tmp_path / "design.blend")
     bpy.ops.wm.save_as_mainfile(filepath=file)
-    modules, _seconds = _session(extension, file, _DRAW.format(tests=str(repository / "tests")))
+    modules = _session(extension, file, _DRAW.format(tests=str(repository / "tests")))
     assert not set(_HEAVY) & set(modules)
 
 
-@pytest.mark.parametrize("library", _HEAVY)
-def test_analysis_loads_the_library(extension: str, library: str) -> None:
+def test_analysis_loads_the_libraries(extension: str) -> None:
     """Else the two tests above would prove nothing."""
     do = "bpy.ops.mesh.primitive_uv_sphere_add(); bpy.ops.curvature.analyze()"
-    modules, _seconds = _session(extension, do=do)
-    assert library in modules
+    modules = _session(extension, do=do)
+    assert set(_HEAVY) <= set(modules)

@@ -33,9 +33,7 @@ class Source:
 def _parse(root: Path, patterns: tuple[str, ...]) -> list[Source]:
     paths = sorted(path for pattern in patterns for path in root.glob(pattern))
     texts = {path: path.read_text(encoding="utf-8") for path in paths}
-    return [
-        Source(path.relative_to(root), text, ast.parse(text)) for path, text in texts.items()
-    ]
+    return [Source(path.relative_to(root), text, ast.parse(text)) for path, text in texts.items()]
 
 
 @pytest.fixture(scope="session")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Dependencies point one way: operators, panels, cli -> overlay, properties -> bridge -> geometry."""
+"""Dependencies point one way: operators, panels -> overlay, properties -> bridge -> geometry."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def test_rule_finds_what_it_forbids() -> None:
 
     class Bad:
         def places(self, *_kinds: type) -> list[ast.AST]:
-            return ast.parse("from ...operators import segment\nfrom ..bridge import mesh").body
+            return [*ast.parse("from ...operators import segment\nfrom ..bridge import mesh").body]
 
         def __str__(self) -> str:
             return "addon/geometry/bad.py"
@@ -112,7 +112,9 @@ def test_rule_finds_what_it_forbids() -> None:
 def test_mathematics_and_reports_know_nothing_of_blender(part: str, shipped: list) -> None:
     inside = [source for source in shipped if str(source).startswith(part)]
     assert inside
-    assert not {str(source): _roots(source) & _BLENDER for source in inside if _roots(source) & _BLENDER}
+    assert not {
+        str(source): _roots(source) & _BLENDER for source in inside if _roots(source) & _BLENDER
+    }
 
 
 def test_libigl_comes_in_by_one_door(shipped: list) -> None:
@@ -165,7 +167,7 @@ def test_nobody_imports_the_registration(shipped: list) -> None:
 
 @pytest.mark.parametrize("path", ["__init__.py", "addon/__init__.py"])
 def test_package_itself_imports_nothing(path: str, shipped: list) -> None:
-    """This is what lets the geometry load without Blender."""
+    """That lets the geometry load without Blender."""
     (source,) = [each for each in shipped if str(each) == path]
     at_top = [node for node in source.tree.body if isinstance(node, ast.Import | ast.ImportFrom)]
     assert not at_top

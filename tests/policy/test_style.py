@@ -32,7 +32,8 @@ def test_every_file_has_its_licence_and_a_sentence_about_itself(sources: list) -
     wrong = [
         str(source)
         for source in sources
-        if "SPDX-License-Identifier: GPL-3.0-or-later" not in "\n".join(source.text.splitlines()[:4])
+        if "SPDX-License-Identifier: GPL-3.0-or-later"
+        not in "\n".join(source.text.splitlines()[:4])
         or not ast.get_docstring(source.tree)
     ]
     assert not wrong
@@ -52,7 +53,11 @@ def test_exceptions_are_caught_by_name(shipped: list) -> None:
     wrong = []
     for source in shipped:
         for node in source.places(ast.ExceptHandler):
-            caught = {n.id for n in ast.walk(node.type) if isinstance(n, ast.Name)} if node.type else set()
+            caught = (
+                {n.id for n in ast.walk(node.type) if isinstance(n, ast.Name)}
+                if node.type
+                else set()
+            )
             if not caught or caught & {"Exception", "BaseException"}:
                 wrong.append(f"{source}:{node.lineno}")
     assert not wrong
@@ -86,7 +91,9 @@ def test_package_does_not_look_for_itself(shipped: list) -> None:
 
 
 def test_nothing_is_left_to_do(sources: list) -> None:
-    marks = re.compile(r"#.*\b(" + "|".join(("TO" + "DO", "FIX" + "ME", "X" + "XX", "HA" + "CK")) + r")\b")
+    marks = re.compile(
+        r"#.*\b(" + "|".join(("TO" + "DO", "FIX" + "ME", "X" + "XX", "HA" + "CK")) + r")\b"
+    )
     wrong = [
         f"{source}:{number}"
         for source in sources

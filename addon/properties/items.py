@@ -1,0 +1,29 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What users choose from: identifier, name, tooltip, number."""
+
+from __future__ import annotations
+
+from ..geometry.display.palette import CLASS_NAMES
+from ..geometry.settings import Smoothing
+
+QUANTITY_ITEMS = (
+    ("GAUSSIAN", "Gaussian Curvature", "Product of the principal curvatures, in 1/m²", 0),
+    ("MEAN", "Mean Curvature", "Average of the principal curvatures, in 1/m", 1),
+    ("K1", "Principal Curvature 1", "The larger principal curvature by signed value, in 1/m", 2),
+    ("K2", "Principal Curvature 2", "The smaller principal curvature by signed value, in 1/m", 3),
+    ("CLASS", "Class", "Flat, single-curved, dome or saddle at the panel's tolerance", 4),
+    ("REGION", "Region", "Connected areas of one class, each in a color of its own", 5),
+    ("NONE", "None", "The model without curvature colors", 6),
+)
+
+CLASS_ITEMS = tuple(
+    (surface_class.name, name, f"Faces of the class {name.lower()}", int(surface_class) + 1)
+    for surface_class, name in CLASS_NAMES.items()
+)
+
+SMOOTHING_ITEMS = (
+    ("AUTO", Smoothing.AUTO.value, "Measure the noise, and smooth no more than it asks for", 0),
+    ("NONE", Smoothing.NONE.value, "Take every detail of the surface for real", 1),
+    ("LENGTH", Smoothing.LENGTH.value, "Take detail below a length for noise", 2),
+)
