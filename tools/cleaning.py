@@ -11,6 +11,7 @@ from pathlib import Path
 from . import environments, wheels
 from .console import say
 from .places import DIST, OUT, cache_folder
+from .window import chroot
 
 
 def clean(*, whole_cache: bool) -> None:
@@ -21,6 +22,11 @@ def clean(*, whole_cache: bool) -> None:
     whole_cache : bool
         Delete everything in the cache folder, so that the next command starts from nothing.
     """
+    current = {chroot.folder_of(suite) for suite in chroot.SUITES}
+    for folder in (cache_folder() / "chroots").glob("*/"):
+        if whole_cache or folder not in current:
+            say(f"deleting {folder}")
+            chroot.delete(folder)
     targets = [DIST, OUT]
     targets += cache_folder().iterdir() if whole_cache else _outdated()
     for path in targets:

@@ -21,6 +21,7 @@ from ..locking import exclusive
 from ..places import cache_folder
 from ..processes import run_quietly
 
+SUITES = ("trixie", "sid")
 _PACKAGES = (
     # Debian's Blender does not pull what an official one carries: numpy, requests, cattrs.
     *("blender", "python3-numpy", "python3-requests", "python3-cattr"),
@@ -49,6 +50,13 @@ def reason_against() -> str | None:
     return None
 
 
+def folder_of(suite: str) -> Path:
+    """Return where a suite's chroot lies in the cache folder, whether or not it has been made."""
+    recipe = "\n".join([*_PACKAGES, *_FILES, *_FILES.values()])
+    key = hashlib.sha256(recipe.encode()).hexdigest()[:12]
+    return cache_folder() / "chroots" / f"{suite}-{key}"
+
+
 def ensure_chroot(suite: str) -> Path:
     """Return the folder of a Debian suite with Blender in it, which is made if it is missing.
 
@@ -57,16 +65,14 @@ def ensure_chroot(suite: str) -> Path:
     DevError
         If debootstrap or apt fails.
     """
-    recipe = "\n".join([*_PACKAGES, *_FILES, *_FILES.values()])
-    key = hashlib.sha256(recipe.encode()).hexdigest()[:12]
-    folder = cache_folder() / "chroots" / f"{suite}-{key}"
+    folder = folder_of(suite)
     complete = folder / "complete"
     if complete.is_file():
         return folder
     with exclusive(folder.with_name(f"{folder.name}.lock")):
         if not complete.is_file():
             debian.ensure_packages(["debootstrap", "ca-certificates"], "making a chroot")
-            _delete(folder)
+            delete(folder)
             with step(f"making a chroot of Debian {suite} with its Blender"):
                 _make(suite, folder)
             complete.touch()
@@ -111,8 +117,8 @@ def _make(suite: str, folder: Path) -> None:
     subprocess.run(["umount", folder / "proc"], check=False, capture_output=True)
 
 
-def _delete(folder: Path) -> None:
-    """Delete an unfinished chroot, but never what is mounted into it."""
+def delete(folder: Path) -> None:
+    """Delete a chroot, but never what is mounted into it."""
     mounts = Path("/proc/mounts").read_text(encoding="utf-8").splitlines()
     mounted = [
         line.split()[1] for line in mounts if line.split()[1].startswith(f"{folder}{os.sep}")
