@@ -1,0 +1,132 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Exact developables and cone points: what the angle defect of a mesh says at once.
+
+A mesh of flat strips (a cylinder, a fillet, a cone as CAD programs tessellate them) has no angle
+defect inside, to rounding: noise never leaves
+that. There the nearest ring is exact across the strips, while wider fits mix a fillet with the
+flat beside it. A vertex whose defect stands
+out from its neighbors' is the apex of a cone: no tangent plane, and no fit may lean on it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..types import AnyArray, Coordinates, Graph
+from .jet_fit import JetOptions
+from .narrow import NarrowFit, fit_into
+
+#: Angle defects below this are rounding (radians).
+NO_DEFECT = 1e-5
+#: An apex has at least this defect (radians) and this many times the mean of its neighbors'.
+APEX_DEFECT, APEX_CONTRAST = 0.15, 8.0
+#: A fit expected to err by more than this share is replaced where the mesh is developable.
+DOUBTFUL = 0.005
+#: On a rim fits look worse than they are.
+DOUBTFUL_RIM = 0.03
+#: A fit that errs by this share, or is conditioned like this, does not even know its directions.
+USELESS = 0.2
+UNCONDITIONED = 1000.0
+#: Reaches to the two sides more unequal than this are no ring.
+ONE_SIDED = 0.02
+ONE_RING = JetOptions(degree=2, falloff=0.0, ridge_low=1e-7)
+
+
+def apexes(defect: AnyArray, graph: Graph) -> AnyArray:
+    """Return a mask of cone points: their defect stands out from their neighbors'."""
+    size = np.abs(defect)
+    around = (graph @ size - size) / np.maximum(np.diff(graph.indptr) - 1, 1)
+    return (size > APEX_DEFECT) & (size > APEX_CONTRAST * around)
+
+
+def without(graph: Graph, vertices: AnyArray) -> Graph:
+    """Return the graph with chosen vertices cut off from all others."""
+    if not vertices.any():
+        return graph
+    keep = ~vertices
+    row: AnyArray = np.repeat(np.arange(int(graph.shape[0])), np.diff(graph.indptr))
+    linked = (keep[row] & keep[graph.indices]) | (row == graph.indices)
+    result = graph.copy()
+    result.data = linked.astype(graph.data.dtype)
+    result.eliminate_zeros()
+    return result
+
+
+def _surrounded(
+    coordinates: Coordinates,
+    graph: Graph,
+    vertices: AnyArray,
+    direction_1: AnyArray,
+    direction_2: AnyArray,
+    first: AnyArray,
+) -> AnyArray:
+    """Return which of the vertices have neighbors on both sides across the ruling.
+
+    Without, a ring says nothing of the curvature.
+    """
+    if not len(vertices):
+        return np.zeros(0, bool)
+    rows = graph[vertices]
+    row = np.repeat(np.arange(len(vertices)), np.diff(rows.indptr))
+    across = np.where(first[vertices][:, None], direction_1[vertices], direction_2[vertices])
+    reach = sum(
+        (c[rows.indices] - c[vertices][row]) * across[row, i] for i, c in enumerate(coordinates)
+    )
+    front, back = (
+        np.maximum.reduceat(reach, rows.indptr[:-1]),
+        -np.minimum.reduceat(reach, rows.indptr[:-1]),
+    )
+    return np.minimum(front, back) > ONE_SIDED * np.maximum(front, back)
+
+
+def refine_developable(
+    fit: NarrowFit,
+    coordinates: Coordinates,
+    graph: Graph,
+    walk: Graph,
+    normals: AnyArray,
+    defect: AnyArray,
+    rim: AnyArray,
+    sound: AnyArray,
+    tolerance: float,
+) -> AnyArray:
+    """Replace doubtful fits of exactly developable vertices.
+
+    The osculating paraboloid of the nearest ring takes their place.
+
+    Parameters
+    ----------
+    graph : sparse
+        With apexes: the apex lies on the rulings of its neighbors, and helps them.
+    tolerance : float
+        Defects below this are rounding (radians).
+
+    Returns
+    -------
+    (n,) bool
+        The vertices that were replaced; their residual is 0, as nothing is left to smooth.
+    """
+    curved = np.abs(defect) > max(tolerance, NO_DEFECT)
+    # three rings: on a rim nothing nearer may have a defect to show
+    near = curved.astype(np.float32)
+    for _ in range(3):
+        near = (np.asarray(walk @ near) > 0).astype(np.float32)
+    flat_around = near == 0
+    # an apex beside it does not make a vertex less developable
+    expected = 0.63 * fit.residual * np.sqrt(fit.variance)
+    curvature = np.maximum(np.abs(fit.k1), np.abs(fit.k2))
+    useless = (expected > USELESS * curvature) | (fit.condition > UNCONDITIONED)
+    doubtful = expected > np.where(rim, DOUBTFUL_RIM, DOUBTFUL) * curvature
+    vertices = np.flatnonzero(flat_around & doubtful & ~useless & sound)
+    vertices = vertices[
+        _surrounded(
+            coordinates, graph, vertices, fit.direction_1, fit.direction_2, fit.k1 + fit.k2 > 0
+        )
+    ]
+    vertices = np.concatenate([vertices, np.flatnonzero(flat_around & useless & sound)])
+    chosen = np.zeros(len(defect), bool)
+    chosen[vertices] = True
+    fit_into(fit, coordinates, graph, walk, normals, vertices, 1, ONE_RING)
+    fit.residual[vertices] = 0
+    return chosen
