@@ -16,6 +16,7 @@ import numpy as np
 from ..types import AnyArray, Coordinates, Graph
 from .jet_fit import JetOptions
 from .narrow import NarrowFit, fit_into
+from .strips import Strips, strips_at
 
 #: Angle defects below this are rounding (radians).
 NO_DEFECT = 1e-5
@@ -28,8 +29,6 @@ DOUBTFUL_RIM = 0.03
 #: A fit that errs by this share, or is conditioned like this, does not even know its directions.
 USELESS = 0.2
 UNCONDITIONED = 1000.0
-#: Reaches to the two sides more unequal than this are no ring.
-ONE_SIDED = 0.02
 ONE_RING = JetOptions(degree=2, falloff=0.0, ridge_low=1e-7)
 
 
@@ -53,36 +52,10 @@ def without(graph: Graph, vertices: AnyArray) -> Graph:
     return result
 
 
-def _surrounded(
-    coordinates: Coordinates,
-    graph: Graph,
-    vertices: AnyArray,
-    direction_1: AnyArray,
-    direction_2: AnyArray,
-    first: AnyArray,
-) -> AnyArray:
-    """Return which of the vertices have neighbors on both sides across the ruling.
-
-    Without, a ring says nothing of the curvature.
-    """
-    if not len(vertices):
-        return np.zeros(0, bool)
-    rows = graph[vertices]
-    row = np.repeat(np.arange(len(vertices)), np.diff(rows.indptr))
-    across = np.where(first[vertices][:, None], direction_1[vertices], direction_2[vertices])
-    reach = sum(
-        (c[rows.indices] - c[vertices][row]) * across[row, i] for i, c in enumerate(coordinates)
-    )
-    front, back = (
-        np.maximum.reduceat(reach, rows.indptr[:-1]),
-        -np.minimum.reduceat(reach, rows.indptr[:-1]),
-    )
-    return np.minimum(front, back) > ONE_SIDED * np.maximum(front, back)
-
-
 def refine_developable(
     fit: NarrowFit,
     coordinates: Coordinates,
+    triangles: AnyArray,
     graph: Graph,
     walk: Graph,
     normals: AnyArray,
@@ -93,7 +66,8 @@ def refine_developable(
 ) -> AnyArray:
     """Replace doubtful fits of exactly developable vertices.
 
-    The osculating paraboloid of the nearest ring takes their place.
+    The circle across the strips takes their place; the osculating paraboloid of the nearest ring
+    where there are no strips and the fit is useless.
 
     Parameters
     ----------
@@ -118,15 +92,28 @@ def refine_developable(
     curvature = np.maximum(np.abs(fit.k1), np.abs(fit.k2))
     useless = (expected > USELESS * curvature) | (fit.condition > UNCONDITIONED)
     doubtful = expected > np.where(rim, DOUBTFUL_RIM, DOUBTFUL) * curvature
-    vertices = np.flatnonzero(flat_around & doubtful & ~useless & sound)
-    vertices = vertices[
-        _surrounded(
-            coordinates, graph, vertices, fit.direction_1, fit.direction_2, fit.k1 + fit.k2 > 0
-        )
-    ]
-    vertices = np.concatenate([vertices, np.flatnonzero(flat_around & useless & sound)])
-    chosen = np.zeros(len(defect), bool)
-    chosen[vertices] = True
-    fit_into(fit, coordinates, graph, walk, normals, vertices, 1, ONE_RING)
-    fit.residual[vertices] = 0
+    chosen = flat_around & doubtful & sound
+    vertices = np.flatnonzero(chosen | (flat_around & useless & sound))
+    if not len(vertices):
+        return np.zeros(len(defect), bool)
+    strips = strips_at(coordinates, triangles, vertices)
+    chosen[vertices] = strips.is_found
+    rest = np.flatnonzero(flat_around & useless & sound & ~chosen)
+    fit_into(fit, coordinates, graph, walk, normals, rest, 1, ONE_RING)
+    _take(fit, vertices[strips.is_found], strips)
+    chosen[rest] = True
+    fit.residual[chosen] = 0
     return chosen
+
+
+def _take(fit: NarrowFit, vertices: AnyArray, strips: Strips) -> None:
+    """Store the curvature of strips."""
+    found = strips.is_found
+    bend, ruling, normal = strips.bend[found], strips.ruling[found], strips.normal[found]
+    # r x n, so that the second direction is n times the first
+    across = np.cross(ruling, normal)
+    is_outward = (bend >= 0)[:, None]
+    fit.k1[vertices], fit.k2[vertices] = np.maximum(bend, 0), np.minimum(bend, 0)
+    fit.direction_1[vertices] = np.where(is_outward, across, ruling)
+    fit.direction_2[vertices] = np.cross(normal, fit.direction_1[vertices])
+    fit.normals[vertices] = normal

@@ -150,7 +150,16 @@ def estimate_curvature(
         """Fit chosen vertices, store what was found and return it for the choice of scale."""
         fit = narrow_fit(coordinates, open_graph, open_walk, normals, edge, mask, coarse_steps)
         exact = refine_developable(
-            fit, coordinates, graph, walk, normals, defect_without_apex, rim, mask, tolerance
+            fit,
+            coordinates,
+            triangles,
+            graph,
+            walk,
+            normals,
+            defect_without_apex,
+            rim,
+            mask,
+            tolerance,
         )
         fit.variance[exact | apex] = 0
         square = np.maximum(ring_mean(walk, fit.residual**2), rounding**2)

@@ -32,8 +32,13 @@ TWO_RINGS = (2, JetOptions(falloff=3.0, softening=0.1))
 ROUNDED = (3, JetOptions(constant=True, falloff=0.0))
 #: Beside a rim a vertex has neighbors on one side only, on it still fewer: reach further, but look
 #: closer.
-NEAR_RIM = (3, JetOptions(falloff=4.0, softening=0.1))
-RIM = (4, JetOptions(falloff=4.0, softening=0.1))
+NEAR_RIM = (3, JetOptions(falloff=5.0, softening=0.1))
+RIM = (4, JetOptions(falloff=6.0, softening=0.1))
+#: There heights are measured over the mean plane of what lies around, not over the tangent plane:
+#: so the slopes stay small within a neighborhood to one side, and high orders with them.
+LEANING = 5
+#: A normal is not turned further than this cosine.
+FARTHEST = 0.5
 #: A fit conditioned worse than this is repeated with one ring more.
 WEAK = 25.0
 #: At a corner of the rim even four rings are few: a fit conditioned worse than this takes six.
@@ -178,14 +183,27 @@ def narrow_fit(
         fit_into(fit, coordinates, graph, walk, normals, np.flatnonzero(mask & sound), count, how)
 
     run(~near & ~rim, ring, options)
-    run(near, *NEAR_RIM)
-    run(rim, *RIM)
     weak = (fit.condition > WEAK) & ~near & ~rim
     run(weak, ring + 1, options)
+    normals = leaning_normals(graph, normals, near | rim)
+    run(near, *NEAR_RIM)
+    run(rim, *RIM)
     run(rim & (fit.condition > CORNER), 6, RIM[1])
     if len(normals) < SMALL:
         _sharpen(fit, coordinates, graph, walk, normals, np.flatnonzero(sound & ~rim))
     return fit
+
+
+def leaning_normals(graph: Graph, normals: AnyArray, chosen: AnyArray) -> AnyArray:
+    """Return the normals, with the chosen ones replaced by the mean of those around them."""
+    if not chosen.any():
+        return normals
+    leaning = normals
+    for _ in range(LEANING):
+        leaning = graph @ leaning
+    leaning /= np.maximum(np.linalg.norm(leaning, axis=1), 1e-300)[:, None]
+    is_near = np.einsum("ij,ij->i", leaning, normals) > FARTHEST
+    return np.where((chosen & is_near)[:, None], leaning, normals)
 
 
 def pilot_fit(
