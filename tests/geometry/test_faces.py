@@ -65,8 +65,7 @@ def test_a_large_flat_polygon_whose_corners_all_lie_on_fillets_is_flat() -> None
     rings = [
         np.stack([r * np.cos(turn), r * np.sin(turn), np.full(6, z)], axis=1)
         for r, z in (
-            (1.0 + 0.1 * np.sin(a), 0.1 * np.cos(a) - 0.1)
-            for a in np.linspace(0.0, 0.5 * np.pi, 5)
+            (1.0 + 0.1 * np.sin(a), 0.1 * np.cos(a) - 0.1) for a in np.linspace(0.0, 0.5 * np.pi, 5)
         )
     ]
     faces: list[list[int]] = [list(range(6))]
@@ -75,8 +74,12 @@ def test_a_large_flat_polygon_whose_corners_all_lie_on_fillets_is_flat() -> None
             j = (i + 1) % 6
             faces.append([6 * ring + i, 6 * ring + 6 + i, 6 * ring + 6 + j, 6 * ring + j])
     _, curvature = _measure(np.concatenate(rings), faces)
-    # Half of the fold of 11 degrees at its sides, over its width.
-    assert _bend(curvature)[0] < 0.5 * np.radians(11.25) / np.sqrt(3.0) * 2.0
+    # Half of the fold at its sides, six of 1 m around 2.6 m², to all directions alike.
+    a = 0.125 * np.pi
+    fold = np.arctan2(1.0 - np.cos(a), np.cos(np.pi / 6.0) * np.sin(a))
+    turn = 0.5 * 0.5 * fold * 6.0 / (1.5 * np.sqrt(3.0))
+    np.testing.assert_allclose(_bend(curvature)[0], turn, rtol=1e-9)
+    assert turn < 0.02 / 0.1
 
 
 def test_a_folded_plate_is_flat_on_both_sides() -> None:

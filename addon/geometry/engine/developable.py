@@ -16,7 +16,7 @@ import numpy as np
 from ..types import AnyArray, Coordinates, Graph
 from .jet_fit import JetOptions
 from .narrow import NarrowFit, fit_into
-from .strips import Strips, strips_at
+from .strips import Strips, strips_at, unfolded
 
 #: Angle defects below this are rounding (radians).
 NO_DEFECT = 1e-5
@@ -24,11 +24,12 @@ NO_DEFECT = 1e-5
 APEX_DEFECT, APEX_CONTRAST = 0.15, 8.0
 #: A fit expected to err by more than this share is replaced where the mesh is developable.
 DOUBTFUL = 0.005
-#: On a rim fits look worse than they are.
-DOUBTFUL_RIM = 0.03
-#: A fit that errs by this share, or is conditioned like this, does not even know its directions.
-USELESS = 0.2
-UNCONDITIONED = 1000.0
+#: A fit that errs by this share, or is conditioned like this, does not even know its directions;
+#: on a rim fits look worse than they are.
+USELESS, USELESS_RIM = 0.2, 1.0
+UNCONDITIONED = 1e5
+#: Cosine by which a strip's ruling and the straight direction of a fit of use must agree.
+ALIGNED = 0.98
 ONE_RING = JetOptions(degree=2, falloff=0.0, ridge_low=1e-7)
 
 
@@ -90,17 +91,33 @@ def refine_developable(
     # an apex beside it does not make a vertex less developable
     expected = 0.63 * fit.residual * np.sqrt(fit.variance)
     curvature = np.maximum(np.abs(fit.k1), np.abs(fit.k2))
-    useless = (expected > USELESS * curvature) | (fit.condition > UNCONDITIONED)
-    doubtful = expected > np.where(rim, DOUBTFUL_RIM, DOUBTFUL) * curvature
+    useless = expected > np.where(rim, USELESS_RIM, USELESS) * curvature
+    useless |= fit.condition > UNCONDITIONED
+    doubtful = expected > DOUBTFUL * curvature
     chosen = flat_around & doubtful & sound
+    # a fit over few positions across the rulings does not know how little it knows
+    flat = flat_around & sound & ~rim & ~chosen
+    if flat.any():
+        chosen |= flat & unfolded(coordinates, triangles, normals)
     vertices = np.flatnonzero(chosen | (flat_around & useless & sound))
     if not len(vertices):
         return np.zeros(len(defect), bool)
     strips = strips_at(coordinates, triangles, vertices)
-    chosen[vertices] = strips.is_found
+    # where only one fold is seen, at a corner of the rim, it may be a diagonal and no ruling
+    straight = np.where(
+        (np.abs(fit.k1) >= np.abs(fit.k2))[:, None], fit.direction_2, fit.direction_1
+    )[vertices]
+    agrees = np.abs(np.einsum("ij,ij->i", straight, strips.ruling)) > ALIGNED
+    strips.is_found &= agrees | useless[vertices]
+    # a rim along a ruling has no fold either
+    strips.is_flat &= ~rim[vertices]
+    strips.is_found &= doubtful[vertices]
+    chosen[vertices] = strips.is_found | strips.is_flat
     rest = np.flatnonzero(flat_around & useless & sound & ~chosen)
     fit_into(fit, coordinates, graph, walk, normals, rest, 1, ONE_RING)
     _take(fit, vertices[strips.is_found], strips)
+    plain = vertices[strips.is_flat]
+    fit.k1[plain], fit.k2[plain] = 0, 0
     chosen[rest] = True
     fit.residual[chosen] = 0
     return chosen

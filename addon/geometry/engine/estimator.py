@@ -11,7 +11,7 @@ import numpy as np
 from ..types import AnyArray
 from .developable import apexes, refine_developable, without
 from .jet_fit import UNDETERMINED
-from .narrow import NarrowFit, narrow_fit, pilot_fit, ring_mean
+from .narrow import CALIBRATION, NarrowFit, narrow_fit, pilot_fit, ring_mean
 from .neighborhoods import adjacency, edges_and_rim, without_hubs
 from .normals import TriangleGeometry, angle_sums, first_normals
 from .smoothing import Choice, Narrow, choose_scale, smooth_at
@@ -24,8 +24,6 @@ SINGULAR, UNDEFINED, FALLBACK, EXACT, TRUSTED, SMOOTHED = -2, -1, 0, 1, 2, 3
 #: Noise is worth smoothing where it would change the curvature by more than this share, and where
 #: this share of the vertices says so.
 TRIGGER, COMMON = 0.003, 0.02
-#: Part of the narrow fit's predicted variance that is real (measured on noise).
-CALIBRATION = 0.4
 #: Curvatures that differ by less than this share of their size have no directions.
 UMBILIC = 1e-6
 #: A narrow fit expected to err by this share of the curvature it finds is not made at all.

@@ -1,92 +1,56 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Curvature of polygons, for their class.
+"""Curvature of polygons, for their class: what the face shows, not a blunt average of its corners.
 
-What the face itself shows, not a blunt average of its corners.
-
-At the seam of a fillet and a flat the surface has two curvatures, and a vertex there shows
-something between. Two readings are compared per face and
-the flatter is taken where they tell of such a seam:
-
-- the corner that bends least (a strip of a flat beside a fillet has corners that know they are
-flat), and
-- the turn of the face: half the dihedral angle at each of its edges, over its own width (a large
-flat n-gon hardly turns, though all its corners
-  lie on fillets).
+Where nothing happens, a face has the mean of its corners' tensors. At the seam of a fillet and a
+flat the surface has two curvatures, and a corner there shows something between. There the turn of
+the face decides, half the dihedral angle at each of its edges over its own width: a face that
+hardly turns is as flat as its flattest corner, one that turns as its most bent corner says belongs
+to the fillet. A large n-gon that hardly turns is flat though all its corners lie on fillets.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from scipy import sparse
 
-from ..types import AnyArray
+from ..types import AnyArray, Graph
 from .estimator import Estimate
+from .normals import tangent_frame
 from .tensors import from_principal, to_principal
+from .turning import Turn, turn_of_polygons
 
 #: Corners that differ by more than this factor belong to different surfaces.
 SEAM = 1.8
-#: A face beside a seam turns by less than this share of its most bent corner if it is the flat one.
-TURNING = 0.4
-#: A polygon is planar if its triangles' normals agree to this (radians).
-PLANAR = 1e-3
+#: A face beside a seam turns by less than the first share of its most bent corner if it is the flat
+#: one, and by more than the second if it is the bent one.
+FLAT_SIDE, BENT_SIDE = 0.4, 0.6
+#: Corners whose normals lean from the face's by more than this cosine are turned into its plane.
+LEANING = 1 - 1e-5
 
 
-def _polygon_normals(
-    positions: AnyArray, triangles: AnyArray, polygons: AnyArray, count: int
-) -> tuple[AnyArray, AnyArray, AnyArray]:
-    """Return area vectors (f, 3), unit normals (f, 3) and whether a polygon is planar (f,)."""
-    corner = positions[triangles]
-    cross = 0.5 * np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
-    area = np.stack([np.bincount(polygons, cross[:, i], minlength=count) for i in range(3)], axis=1)
-    total = np.bincount(polygons, np.linalg.norm(cross, axis=1), minlength=count)
-    length = np.linalg.norm(area, axis=1)
-    unit = area / np.maximum(length, 1e-300)[:, None]
-    return total, unit, length > (1 - PLANAR**2) * total
+@dataclass
+class _Polygons:
+    """Which vertices each of f polygons has, and how it lies.
 
-
-def turn_tensor(
-    positions: AnyArray, triangles: AnyArray, polygons: AnyArray, unit: AnyArray, area: AnyArray
-) -> AnyArray:
-    """Return the (6, f) tensor by which a polygon turns.
-
-    Half of each edge's dihedral angle, along the edge, over the polygon's area.
-
-    For a strip of width w between equal bends b this is b / w across the strip. The edges' halves
-    of a dihedral angle follow Cohen-Steiner & Morvan.
-    Edges inside a polygon and edges of one polygon turn nothing.
-
-    References
+    Attributes
     ----------
-    .. [1] Cohen-Steiner, Morvan (2003). Restricted Delaunay triangulations and normal cycle. SoCG.
+    member : (f, n) sparse
+        1 for each corner that counts, once however its triangles lie, 0 for the others.
+    total : (f,) float64
+        Corners that count.
+    turn : Turn
     """
-    count = len(unit)
-    start, end = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
-    owner = np.repeat(polygons, 3)
-    low, high = np.minimum(start, end), np.maximum(start, end)
-    order = np.lexsort((high, low))
-    same = (low[order][1:] == low[order][:-1]) & (high[order][1:] == high[order][:-1])
-    a, b = order[:-1][same], order[1:][same]
-    outside = owner[a] != owner[b]
-    a, b = a[outside], b[outside]
-    edge = positions[end[a]] - positions[start[a]]
-    length = np.linalg.norm(edge, axis=1)
-    edge = edge / np.maximum(length, 1e-300)[:, None]
-    na, nb = unit[owner[a]], unit[owner[b]]
-    # positive where the surface bends away from the normals
-    angle = np.arctan2(np.einsum("ij,ij->i", np.cross(na, nb), edge), np.einsum("ij,ij->i", na, nb))
-    tensor = np.zeros((6, count))
-    for side in (a, b):
-        face = owner[side]
-        across = np.cross(edge, unit[face])
-        weight = 0.5 * angle * length
-        for row, (i, j) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))):
-            tensor[row] += np.bincount(face, weight * across[:, i] * across[:, j], minlength=count)
-    return tensor / np.maximum(area, 1e-300)
+
+    member: Graph
+    total: AnyArray
+    turn: Turn
 
 
 def polygon_curvature(
-    positions: AnyArray, triangles: AnyArray, polygons: AnyArray | None, curvature: Estimate
+    positions: AnyArray, triangles: AnyArray, polygons: AnyArray, curvature: Estimate
 ) -> tuple[AnyArray, AnyArray]:
     """Return k1 >= k2 of every polygon, (f,) each, in 1/m; 0 for a polygon without area.
 
@@ -94,54 +58,102 @@ def polygon_curvature(
     ----------
     positions : (s, 3) float64
     triangles : (t, 3) int
-    polygons : (t,) int or None
-        The polygon of each triangle; each triangle its own if None.
+    polygons : (t,) int
+        The polygon of each triangle.
     curvature : Estimate
         The estimate at the vertices. Singular and undefined vertices do not count.
     """
-    polygons = np.arange(len(triangles)) if polygons is None else np.asarray(polygons)
     count = int(polygons.max(initial=-1)) + 1
-    area, unit, planar = _polygon_normals(positions, triangles, polygons, count)
-    tensor = from_principal(
-        curvature.k1, curvature.k2, curvature.direction_1, curvature.direction_2
-    )
-    good = (curvature.quality >= 0).astype(float)
+    if not count:
+        return np.zeros(0), np.zeros(0)
+    turn = turn_of_polygons(positions, triangles, polygons, count)
     rows = np.repeat(polygons, 3)
-    # a corner counts once per polygon, however its triangles lie
     member = sparse.csr_matrix(
         (np.ones(len(rows)), (rows, triangles.ravel())), shape=(count, len(positions))
     )
     member.sum_duplicates()
-    member.data = good[member.indices]
+    member.data = (curvature.quality >= 0).astype(float)[member.indices]
     total = np.asarray(member.sum(axis=1)).ravel()
-    mean = (member @ tensor.T).T / np.maximum(total, 1)
-    k1, k2, *_ = to_principal(mean, np.where(area[:, None] > 0, unit, [0.0, 0.0, 1.0]))
-    size = np.maximum(np.abs(curvature.k1), np.abs(curvature.k2))
-    size = np.where(good > 0, size, np.inf)
+    each = _Polygons(member, total, turn)
+    k1, k2 = _mean_of_corners(each, curvature)
+    _judge_seams(each, curvature, k1, k2)
+    none = (turn.area <= 0) | (total == 0)
+    k1[none], k2[none] = 0.0, 0.0
+    return k1, k2
+
+
+def _mean_of_corners(each: _Polygons, curvature: Estimate) -> tuple[AnyArray, AnyArray]:
+    tensor = from_principal(
+        curvature.k1, curvature.k2, curvature.direction_1, curvature.direction_2
+    )
+    mean = (each.member @ tensor.T).T / np.maximum(each.total, 1)
+    k1, k2, *_ = to_principal(mean, each.turn.normal)
+    # a tensor seen from a leaning plane is foreshortened: on coarse meshes corners are turned into
+    # the face's plane first
+    owner = np.repeat(np.arange(len(k1)), np.diff(each.member.indptr))
+    corner = each.member.indices
+    facing = np.einsum("ij,ij->i", each.turn.normal[owner], curvature.normals[corner])
+    leans = (facing < LEANING) & (each.member.data > 0) & (facing > -0.5)
+    coarse = np.zeros(len(k1), bool)
+    coarse[owner[leans]] = True
+    pair = np.flatnonzero(coarse[owner] & (each.member.data > 0) & (facing > -0.5))
+    if len(pair):
+        place = np.cumsum(coarse) - 1
+        values = _turned_mean(each, curvature, owner[pair], corner[pair], facing[pair], place)
+        k1[coarse], k2[coarse] = values
+    return k1, k2
+
+
+def _turned_mean(
+    each: _Polygons,
+    curvature: Estimate,
+    owner: AnyArray,
+    corner: AnyArray,
+    facing: AnyArray,
+    place: AnyArray,
+) -> tuple[AnyArray, AnyArray]:
+    """Return k1, k2 of the mean of corners' tensors, each turned by the shortest way."""
+    normal = each.turn.normal[owner]
+    first, second = tangent_frame(normal)
+    direction = curvature.direction_1[corner]
+    slope = np.einsum("ij,ij->i", normal, direction) / (1 + facing)
+    direction = direction - slope[:, None] * (normal + curvature.normals[corner])
+    x, y = (np.einsum("ij,ij->i", direction, axis) for axis in (first, second))
+    mean, half = (0.5 * (curvature.k1 + sign * curvature.k2)[corner] for sign in (1, -1))
+    at = place[owner]
+    many = np.maximum(np.bincount(at), 1)
+    trace, cosine, sine = (
+        np.bincount(at, values) / many
+        for values in (mean, half * (x * x - y * y), half * 2 * x * y)
+    )
+    gap = np.hypot(cosine, sine)
+    return trace + gap, trace - gap
+
+
+def _judge_seams(each: _Polygons, curvature: Estimate, k1: AnyArray, k2: AnyArray) -> None:
+    """Overwrite the curvature of polygons beside seams by that of their own side."""
+    member, turn = each.member, each.turn
+    start = member.indptr[:-1]
     filled = np.diff(member.indptr) > 0
-    start = member.indptr[:-1][filled]
-    if not len(start):
-        return np.zeros(count), np.zeros(count)
-    least, most = np.full(count, np.inf), np.zeros(count)
-    least[filled] = np.minimum.reduceat(size[member.indices], start)
-    most[filled] = np.maximum.reduceat(np.where(np.isfinite(size), size, 0)[member.indices], start)
-    least = np.where(np.isfinite(least), least, 0)
-    # the flattest corner's own values
-    entry = np.repeat(np.arange(count), np.diff(member.indptr))
-    winner = np.full(count, -1)
-    hit = size[member.indices] == least[entry]
-    winner[entry[hit]] = member.indices[hit]
-    turning = turn_tensor(positions, triangles, polygons, unit, area)
-    t1, t2, *_ = to_principal(turning, np.where(area[:, None] > 0, unit, [0.0, 0.0, 1.0]))
+    size = np.maximum(np.abs(curvature.k1), np.abs(curvature.k2))[member.indices]
+    counts = member.data > 0
+    least, most = np.zeros(len(k1)), np.zeros(len(k1))
+    least[filled] = np.minimum.reduceat(np.where(counts, size, np.inf), start[filled])
+    most[filled] = np.maximum.reduceat(np.where(counts, size, 0.0), start[filled])
+    least[each.total == 0] = 0.0
+    t1, t2, *_ = to_principal(turn.tensor, turn.normal)
     flatness = np.maximum(np.abs(t1), np.abs(t2))
-    # the first strip of a fillet has a flat corner too, but turns as the others do
-    seam = planar & (most > SEAM * least) & (winner >= 0) & (flatness < TURNING * most)
-    # bends along the rim are not seen by the turn: it only ever speaks for flatness, of polygons
-    # with more than three sides
-    sides = np.diff(member.indptr)
-    quiet = planar & (sides > 3) & (SEAM * flatness < least)
-    k1 = np.where(seam, curvature.k1[winner], k1)
-    k2 = np.where(seam, curvature.k2[winner], k2)
-    k1, k2 = np.where(quiet, t1, k1), np.where(quiet, t2, k2)
-    none = (area <= 0) | (total == 0)
-    return np.where(none, 0.0, k1), np.where(none, 0.0, k2)
+    many_sided = np.diff(member.indptr) > 3
+    seam = turn.is_planar & (most > SEAM * least) & (each.total > 0)
+    flat_side = seam & (flatness < FLAT_SIDE * most)
+    # a single triangle's turn says little
+    bent_side = seam & many_sided & (flatness > BENT_SIDE * most)
+    owner = np.repeat(np.arange(len(k1)), np.diff(member.indptr))
+    for side, extreme in ((flat_side, least), (bent_side, most)):
+        hit = side[owner] & counts & (size == extreme[owner])
+        k1[owner[hit]] = curvature.k1[member.indices[hit]]
+        k2[owner[hit]] = curvature.k2[member.indices[hit]]
+    # at a rim a polygon is seen to turn at its inner sides only
+    whole = flatness * np.where(turn.is_open, 2.0, 1.0)
+    quiet = turn.is_planar & many_sided & (SEAM * whole < least)
+    k1[quiet], k2[quiet] = t1[quiet], t2[quiet]

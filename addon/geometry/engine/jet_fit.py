@@ -141,8 +141,8 @@ def fit_jets(
             weight *= weight
         elif options.falloff != 2.0:
             weight **= options.falloff / 2
-        if options.constant:
-            weight *= np.arange(len(table))[:, None] < used
+        # padding must not count in the sum of weights, or results would depend on the chunk
+        weight *= np.arange(len(table))[:, None] < used
     else:
         weight = (np.arange(len(table))[:, None] < used).astype(float)
     weight /= weight.sum(axis=0)

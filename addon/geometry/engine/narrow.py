@@ -42,7 +42,11 @@ FARTHEST = 0.5
 #: A fit conditioned worse than this is repeated with one ring more.
 WEAK = 25.0
 #: At a corner of the rim even four rings are few: a fit conditioned worse than this takes six.
-CORNER = 1000.0
+CORNER = 2000.0
+#: On a rim of a mesh so coarse that a fit is expected to err by this share, a paraboloid over two
+#: rings is tried, and taken if the error it promises, squared, is below this share.
+COARSE, COARSE_PROMISE = 0.05, 0.25
+PARABOLOID = (2, JetOptions(degree=2, falloff=3.0, softening=0.1))
 #: A fit expected to err by more than this share is tried again with fewer rings.
 SHARPEN = 0.01
 #: They are taken if the error they promise, squared, is below this share.
@@ -50,6 +54,8 @@ PROMISE = 0.5
 #: Larger meshes are fine enough without (and time counts).
 SMALL = 12_000
 
+#: Part of a fit's predicted variance that is real (measured on noise).
+CALIBRATION = 0.4
 #: Vertices of a pilot fit.
 PILOT = 2000
 
@@ -189,9 +195,36 @@ def narrow_fit(
     run(near, *NEAR_RIM)
     run(rim, *RIM)
     run(rim & (fit.condition > CORNER), 6, RIM[1])
+    promised = CALIBRATION * fit.residual**2 * fit.variance
+    coarse = rim & sound & (promised > COARSE**2 * np.maximum(np.abs(fit.k1), np.abs(fit.k2)) ** 2)
+    _try(fit, coordinates, graph, walk, normals, np.flatnonzero(coarse), PARABOLOID)
     if len(normals) < SMALL:
         _sharpen(fit, coordinates, graph, walk, normals, np.flatnonzero(sound & ~rim))
     return fit
+
+
+def _try(
+    fit: NarrowFit,
+    coordinates: Coordinates,
+    graph: Graph,
+    walk: Graph,
+    normals: AnyArray,
+    vertices: AnyArray,
+    how: tuple[int, JetOptions],
+) -> None:
+    """Fit chosen vertices otherwise, and keep what promises to err much less."""
+    if not len(vertices):
+        return
+    other = empty_fit(normals)
+    fit_into(other, coordinates, graph, walk, normals, vertices, *how)
+    before, after = ((each.residual**2 * each.variance)[vertices] for each in (fit, other))
+    is_full = other.condition[vertices] < UNDETERMINED
+    _copy(fit, other, vertices[(after < COARSE_PROMISE * before) & is_full])
+
+
+def _copy(fit: NarrowFit, other: NarrowFit, vertices: AnyArray) -> None:
+    for name in NarrowFit.__dataclass_fields__:
+        getattr(fit, name)[vertices] = getattr(other, name)[vertices]
 
 
 def leaning_normals(graph: Graph, normals: AnyArray, chosen: AnyArray) -> AnyArray:
@@ -201,7 +234,7 @@ def leaning_normals(graph: Graph, normals: AnyArray, chosen: AnyArray) -> AnyArr
     leaning = normals
     for _ in range(LEANING):
         leaning = graph @ leaning
-    leaning /= np.maximum(np.linalg.norm(leaning, axis=1), 1e-300)[:, None]
+    leaning = leaning / np.maximum(np.linalg.norm(leaning, axis=1), 1e-300)[:, None]
     is_near = np.einsum("ij,ij->i", leaning, normals) > FARTHEST
     return np.where((chosen & is_near)[:, None], leaning, normals)
 
@@ -261,5 +294,4 @@ def _sharpen(
     fit_into(other, coordinates, graph, walk, normals, chosen, *TWO_RINGS)
     promised = ring_mean(walk, other.residual**2) * other.variance
     better = chosen[((promised < PROMISE * expected) & (other.condition < WEAK))[chosen]]
-    for name in NarrowFit.__dataclass_fields__:
-        getattr(fit, name)[better] = getattr(other, name)[better]
+    _copy(fit, other, better)

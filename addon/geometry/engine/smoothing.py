@@ -15,6 +15,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.sparse.csgraph import connected_components
 
 from ..types import AnyArray, Coordinates, Graph
 from .clusters import coarsen, first_level
@@ -49,7 +50,12 @@ HOPELESS = 0.12
 #: Variance of a patch of n points that cover an area A: this / (n A²) (measured on round
 #: neighborhoods).
 SPREAD = 24500.0
-#: From one rung to the next, a misfit due to shape grows at least by this factor (squared).
+#: No patch has more points than its connected piece over this.
+FILLING = 2.2
+#: Noise that makes the narrow fit err by less than this share of the curvature is left alone.
+WORTH = 0.003
+#: From one rung to the next, which has twice the points, a misfit due to shape grows at least by
+#: this factor (squared).
 GROWTH = 16.0
 #: Residual of the narrow fit over the standard deviation of the heights (measured 0.45 to 0.85).
 NARROW = 0.75
@@ -113,13 +119,17 @@ def choose_scale(
     count = len(scramble)
     before = narrow.residual / NARROW**2
     noise = np.zeros(count)
+    reached = np.full(count, RUNGS[0][2])
+    # a patch must not be most of its piece, and what other pieces allow is nothing to a piece
+    piece = connected_components(graph, directed=False)[1]
+    room = np.bincount(piece)[piece] / FILLING
     typical = float(np.median(before))
     ladder: list[tuple[int, Patches, AnyArray]] = []
     level, depth = first_level(graph), 0
     for rung, (wanted, ring, points) in enumerate(RUNGS):
         if count > MANY and ring == 3:
             continue
-        last = rung + 2 >= len(RUNGS) or 2.2 * points > count
+        last = rung + 2 >= len(RUNGS) or points > room.max()
         if (
             BLENDED * typical * SPREAD / (points**3 * area**2) > (HOPELESS * reference) ** 2
             and not last
@@ -131,12 +141,15 @@ def choose_scale(
         square = _ring_mean(patches, patches.residual**2)
         now = square[level.owner]
         # no growth: all of it is noise; growth as of a misfit: none of it
+        size = patches.size[level.owner]
         if rung:  # the first rung reaches no further than the narrow fit: nothing to compare
-            noise = np.maximum(
-                noise, np.clip(before - np.maximum(now - before, 0) / (GROWTH - 1), 0, now)
-            )
+            # near rims, and in small pieces, patches hardly grow, and neither would a misfit
+            growth = np.clip((size / reached) ** 4, 1.0, GROWTH) - 1
+            found = before - np.maximum(now - before, 0) / np.maximum(growth, 1.0)
+            is_told = (growth >= 1) & (points <= room)
+            noise = np.maximum(noise, np.where(is_told, np.clip(found, 0, now), 0))
         ladder.append((rung, patches, square))
-        before = now
+        before, reached = now, size
         typical = float(np.median(np.where(noise > 0, noise, now)))
         found = BLENDED * typical * float(np.median(patches.variance))
         if (
@@ -147,8 +160,11 @@ def choose_scale(
             break
     share = np.minimum(noise * NARROW**2 / np.maximum(narrow.residual, 1e-300), 1.0)
     error = narrow.residual * narrow.variance * (share + NARROW_BIAS * (1 - share))
+    # smoothing is for noise only: where the shape is what a narrow fit cannot follow, a wide one
+    # follows it less
+    is_noisy = noise > (WORTH * reference) ** 2 / np.maximum(narrow.variance, 1e-300)
     chosen = np.full(count, -1)
-    for place, (_, patches, square) in enumerate(ladder):
+    for place, (rung, patches, square) in enumerate(ladder):
         owner = patches.level.owner
         many = np.bincount(owner, minlength=len(square))
         own_noise = np.bincount(owner, noise, minlength=len(square)) / many
@@ -159,7 +175,7 @@ def choose_scale(
         )
         expected[(patches.condition > 30) | (patches.size < 20)] = np.inf
         candidate = expected[owner]
-        better = candidate < error
+        better = is_noisy & (candidate < error) & ((rung == 0) | (RUNGS[rung][2] <= room))
         chosen[better] = place
         error[better] = candidate[better]
     result = Choice(np.zeros((6, count)), np.zeros((count, 3)), error, np.full(count, -1), noise)
@@ -200,7 +216,7 @@ def smooth_at(
     wanted = np.pi * length**2 / max(area, 1e-300)
     if wanted < RUNGS[0][2] / 1.5:
         return result
-    fitting = [rung for rung in range(len(RUNGS)) if 2.2 * RUNGS[rung][2] <= count] or [0]
+    fitting = [rung for rung in range(len(RUNGS)) if FILLING * RUNGS[rung][2] <= count] or [0]
     rung = min(fitting, key=lambda r: abs(np.log(RUNGS[r][2] / wanted)))
     depth, ring, _ = RUNGS[rung]
     level = first_level(graph)

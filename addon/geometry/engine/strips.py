@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..groups import sum_by_group
 from ..types import AnyArray, Coordinates
 from .normals import FLAT_TRIANGLE
 
@@ -37,12 +38,15 @@ class Strips:
         Unit vectors.
     is_found : (m,) bool
         Vertices with strips on both sides and no folds but along the ruling.
+    is_flat : (m,) bool
+        Vertices without folds.
     """
 
     bend: AnyArray
     ruling: AnyArray
     normal: AnyArray
     is_found: AnyArray
+    is_flat: AnyArray
 
 
 def strips_at(coordinates: Coordinates, triangles: AnyArray, vertices: AnyArray) -> Strips:
@@ -69,6 +73,7 @@ def strips_at(coordinates: Coordinates, triangles: AnyArray, vertices: AnyArray)
     ruling, turn, total = _folds(position, triangles, normal, place, many)
     is_straight = (total > UNFOLDED) & ~(turn == 0)
     width, side_normal = _widths(position, triangles, normal, place, ruling)
+    is_flat = total <= UNFOLDED
     is_found = is_straight & (width > 0).all(axis=0)
     one, other = width
     chord = np.sqrt(np.maximum(one**2 + other**2 + 2 * one * other * np.cos(turn), 0))
@@ -79,7 +84,28 @@ def strips_at(coordinates: Coordinates, triangles: AnyArray, vertices: AnyArray)
     length = np.linalg.norm(leaning, axis=1)
     is_found &= length > 0.5
     leaning /= np.where(is_found, length, 1.0)[:, None]
-    return Strips(bend, ruling, leaning, is_found)
+    return Strips(bend, ruling, leaning, is_found, is_flat)
+
+
+def unfolded(coordinates: Coordinates, triangles: AnyArray, normals: AnyArray) -> AnyArray:
+    """Return which of n vertices have triangles in one plane only, (n,) bool.
+
+    Parameters
+    ----------
+    coordinates : three (n,) float64
+    triangles : (t, 3) int
+    normals : (n, 3) float64
+        Weighted means of the triangles' normals.
+    """
+    position = np.stack(coordinates, axis=1)
+    corner = position[triangles]
+    cross = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    cross /= np.maximum(np.linalg.norm(cross, axis=1), 1e-300)[:, None]
+    spread = np.zeros(len(normals))
+    for i in range(3):
+        lean = np.sum(np.cross(cross, normals[triangles[:, i]]) ** 2, axis=1)
+        spread += sum_by_group(triangles[:, i], lean, len(normals))
+    return spread < (0.5 * UNFOLDED) ** 2
 
 
 def _folds(
@@ -97,24 +123,20 @@ def _folds(
     edge = position[end[one]] - position[start[one]]
     edge /= np.maximum(np.linalg.norm(edge, axis=1), 1e-300)[:, None]
     n1, n2 = normal[one // 3], normal[other // 3]
-    fold = np.arctan2(
-        np.einsum("ij,ij->i", np.cross(n1, n2), edge), np.einsum("ij,ij->i", n1, n2)
-    )
+    fold = np.arctan2(np.einsum("ij,ij->i", np.cross(n1, n2), edge), np.einsum("ij,ij->i", n1, n2))
     at = place[np.concatenate([start[one], end[one]])]
     edge, fold = np.concatenate([edge, -edge]), np.concatenate([fold, fold])
     edge, fold, at = edge[at >= 0], fold[at >= 0], at[at >= 0]
     tensor = np.empty((many, 3, 3))
     for i in range(3):
         for j in range(3):
-            tensor[:, i, j] = np.bincount(
-                at, np.abs(fold) * edge[:, i] * edge[:, j], minlength=many
-            )
+            tensor[:, i, j] = sum_by_group(at, np.abs(fold) * edge[:, i] * edge[:, j], many)
     values, vectors = np.linalg.eigh(tensor)
     ruling = np.ascontiguousarray(vectors[:, :, 2])
     total = np.trace(tensor, axis1=1, axis2=2)
     astray = total - values[:, 2] > ASTRAY * total
     ahead = np.einsum("ij,ij->i", edge, ruling[at]) > 0
-    sums = [np.bincount(at[part], fold[part], minlength=many) for part in (ahead, ~ahead)]
+    sums = [sum_by_group(at[part], fold[part], many) for part in (ahead, ~ahead)]
     present = sum((np.abs(part) > 0.5 * UNFOLDED).astype(float) for part in sums)
     turn = np.where(astray, 0.0, (sums[0] + sums[1]) / np.maximum(present, 1))
     return ruling, turn, total
@@ -134,18 +156,15 @@ def _widths(
     at, owner, offset = at[used], owner[used], offset[used]
     across = np.einsum("ij,ij->i", offset, np.cross(normal[owner], ruling[at]))
     along = np.einsum("ij,ij->i", offset, ruling[at])
+    sides = across > 1e-6 * np.abs(along), across < -1e-6 * np.abs(along)
     width = np.zeros((2, many))
-    for row, sign in enumerate((1, -1)):
-        beside = sign * across > 1e-6 * np.abs(along)
+    for row, beside in enumerate(sides):
         reach = np.abs(across[beside])
         weight = reach**2 / (along[beside] ** 2 + (ALONG * reach) ** 2)
-        total = np.bincount(at[beside], weight, minlength=many)
-        width[row] = np.bincount(at[beside], weight * reach, minlength=many)
+        total = sum_by_group(at[beside], weight, many)
+        width[row] = sum_by_group(at[beside], weight * reach, many)
         width[row] /= np.where(total > 0, total, 1.0)
-        if row == 0:
-            side = np.stack(
-                [np.bincount(at[beside], normal[owner[beside], i], minlength=many) for i in (0, 1, 2)],
-                axis=1,
-            )
+    where, leaning = at[sides[0]], normal[owner[sides[0]]]
+    side = np.stack([sum_by_group(where, leaning[:, i], many) for i in range(3)], axis=1)
     side /= np.maximum(np.linalg.norm(side, axis=1), 1e-300)[:, None]
     return width, side
