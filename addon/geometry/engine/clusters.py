@@ -7,9 +7,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import sparse
 
 from ..types import AnyArray, Graph
+from .sparse import pattern
 
 
 @dataclass
@@ -30,8 +30,8 @@ class Clusters:
 
     owner: AnyArray
     roots: AnyArray
-    graph: sparse.csr_matrix
-    members: sparse.csr_matrix
+    graph: Graph
+    members: Graph
 
 
 def _neighbor_maximum(graph: Graph, values: AnyArray) -> AnyArray:
@@ -59,7 +59,7 @@ def first_level(graph: Graph) -> Clusters:
     """Return the trivial clustering: every vertex its own group."""
     count = int(graph.shape[0])
     index = np.arange(count)
-    alone = sparse.csr_matrix((np.ones(count, np.float32), (index, index)), shape=(count, count))
+    alone = pattern(index, index, (count, count))
     return Clusters(index, index, graph, alone)
 
 
@@ -83,14 +83,9 @@ def coarsen(level: Clusters, priority: AnyArray) -> Clusters:
     number[rank[root]] = np.arange(root.sum())
     parent = number[best]
     count = int(root.sum())
-    lift = sparse.csr_matrix(
-        (np.ones(len(parent), np.float32), (parent, np.arange(len(parent)))),
-        shape=(count, len(parent)),
-    )
+    lift = pattern(parent, np.arange(len(parent)), (count, len(parent)))
     coarse = (lift @ graph @ lift.T).tocsr()
     coarse.data[:] = 1
     owner = parent[level.owner]
-    members = sparse.csr_matrix(
-        (np.ones(len(owner), np.float32), (owner, np.arange(len(owner)))), shape=(count, len(owner))
-    )
+    members = pattern(owner, np.arange(len(owner)), (count, len(owner)))
     return Clusters(owner, level.roots[root], coarse, members)

@@ -14,11 +14,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import sparse
 
 from ..types import AnyArray, Graph
 from .estimator import Estimate
 from .normals import tangent_frame
+from .sparse import pattern
 from .tensors import from_principal, to_principal
 from .turning import Turn, turn_of_polygons
 
@@ -68,9 +68,7 @@ def polygon_curvature(
         return np.zeros(0), np.zeros(0)
     turn = turn_of_polygons(positions, triangles, polygons, count)
     rows = np.repeat(polygons, 3)
-    member = sparse.csr_matrix(
-        (np.ones(len(rows)), (rows, triangles.ravel())), shape=(count, len(positions))
-    )
+    member = pattern(rows, triangles.ravel(), (count, len(positions)))
     member.sum_duplicates()
     member.data = (curvature.quality >= 0).astype(float)[member.indices]
     total = np.asarray(member.sum(axis=1)).ravel()

@@ -8,9 +8,9 @@ Rings follow edges, never distance in space, so two sheets of a thin wall do not
 from __future__ import annotations
 
 import numpy as np
-from scipy import sparse
 
 from ..types import AnyArray, Graph
+from .sparse import compressed, pattern
 
 #: Rings are not walked through a vertex of more edges than this (the hub of a fan): the walk would
 #: reach everything at once.
@@ -45,9 +45,7 @@ def adjacency(low: AnyArray, high: AnyArray, count: int) -> Graph:
     low, high = low[real], high[real]
     own = np.arange(count, dtype=np.int32)
     rows, columns = np.concatenate([low, high, own]), np.concatenate([high, low, own])
-    return sparse.csr_matrix(
-        (np.ones(len(rows), np.float32), (rows, columns)), shape=(count, count)
-    )
+    return pattern(rows, columns, (count, count))
 
 
 def without_hubs(graph: Graph) -> Graph:
@@ -61,7 +59,7 @@ def without_hubs(graph: Graph) -> Graph:
     indptr = np.concatenate(
         [[0], np.cumsum(np.bincount(row[keep], minlength=len(valence)))]
     ).astype(graph.indptr.dtype)
-    return sparse.csr_matrix((graph.data[keep], graph.indices[keep], indptr), shape=graph.shape)
+    return compressed(graph.data[keep], graph.indices[keep], indptr, graph.shape)
 
 
 def rings(graph: Graph, walk: Graph, vertices: AnyArray | slice, count: int) -> Graph:

@@ -15,11 +15,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse.csgraph import connected_components
 
 from ..types import AnyArray, Coordinates, Graph
 from .clusters import coarsen, first_level
 from .patches import Patches, blend, fit_patches
+from .sparse import pieces
 
 #: Level of clustering and rings of clusters per rung, and about how many points a patch then has:
 #: each about doubles the one before.
@@ -121,7 +121,7 @@ def choose_scale(
     noise = np.zeros(count)
     reached = np.full(count, RUNGS[0][2])
     # a patch must not be most of its piece, and what other pieces allow is nothing to a piece
-    piece = connected_components(graph, directed=False)[1]
+    piece = pieces(graph)
     room = np.bincount(piece)[piece] / FILLING
     typical = float(np.median(before))
     ladder: list[tuple[int, Patches, AnyArray]] = []
