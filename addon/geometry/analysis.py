@@ -41,7 +41,9 @@ def analyze(
     Analysis
     """
     surface = build_surface(mesh, settings.crease_angle)
-    curvature = estimate_curvature(surface, on_progress)
+    curvature = estimate_curvature(
+        surface, settings.smoothing, settings.smoothing_length, on_progress
+    )
     if settings.flip_normals:
         curvature = curvature.flipped()
     return Analysis(surface, curvature, diagnose(surface))

@@ -4,29 +4,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .groups import connected_groups, sum_by_group
-from .libigl import principal_curvature
-from .polygons import polygon_area_vectors
+from .planar import planar_polygons, sectors_of
+from .settings import Smoothing
 from .surface import Surface
 from .types import Flags, Floats, Progress
 
-#: Rings of the quadric fit: the smallest that libigl accepts, and by far its most accurate.
-_RINGS = 2
-
-#: Curvatures that differ by less than this share of their size have no directions.
-_UMBILIC = 1e-6
-
-#: A piece thinner than this share of its extent is a plane.
-_PLANARITY = 1e-6
+#: Scales of smoothing as the engine takes them.
+_SCALES = {Smoothing.AUTO: "AUTO", Smoothing.NONE: "NONE"}
 
 
 @dataclass(frozen=True)
 class Curvature:
-    """Principal curvatures and directions on the sectors of a surface.
+    """Principal curvatures and directions on the sectors and polygons of a surface.
 
     K = k1 k2 and H = (k1 + k2) / 2 hold by construction, and so does H² >= K.
 
@@ -39,15 +32,34 @@ class Curvature:
     direction_1, direction_2 : (s, 3) float64
         Unit principal directions of k1 and k2; zero at umbilics, on flat parts and where
         undefined.
+    normal : (s, 3) float64
+        Unit normals of the fitted surface; zero where no face has area.
+    uncertainty : (s,) float64
+        Standard uncertainty of k1 and k2 in 1/m, as far as noise and misfit show it.
     is_defined : (s,) bool
         Where the surface allows an estimate.
+    is_smoothed : (s,) bool
+        Where noise was smoothed away.
+    is_doubtful : (s,) bool
+        Where too few points allow only a low order.
+    face_k1, face_k2 : (m,) float64
+        Principal curvatures of the polygons in 1/m; zero where undefined.
+    is_face_defined : (m,) bool
+        False for polygons without area or without any defined corner.
     """
 
     k1: Floats
     k2: Floats
     direction_1: Floats
     direction_2: Floats
+    normal: Floats
+    uncertainty: Floats
     is_defined: Flags
+    is_smoothed: Flags
+    is_doubtful: Flags
+    face_k1: Floats
+    face_k2: Floats
+    is_face_defined: Flags
 
     @property
     def gaussian(self) -> Floats:
@@ -61,80 +73,82 @@ class Curvature:
 
     def flipped(self) -> Curvature:
         """Return the curvature seen from the other side: signs change, k1 and k2 swap."""
-        return Curvature(-self.k2, -self.k1, self.direction_2, self.direction_1, self.is_defined)
+        return replace(
+            self,
+            k1=-self.k2,
+            k2=-self.k1,
+            direction_1=self.direction_2,
+            direction_2=self.direction_1,
+            normal=-self.normal,
+            face_k1=-self.face_k2,
+            face_k2=-self.face_k1,
+        )
 
 
-def estimate_curvature(surface: Surface, on_progress: Progress | None = None) -> Curvature:
-    """Estimate principal curvatures and directions at every sector.
+def estimate_curvature(
+    surface: Surface,
+    smoothing: Smoothing = Smoothing.AUTO,
+    smoothing_length: float = 0.0,
+    on_progress: Progress | None = None,
+) -> Curvature:
+    """Estimate principal curvatures and directions on a surface.
 
     Parameters
     ----------
     surface : Surface
         Cut along its creases; nothing is averaged across them.
+    smoothing : Smoothing
+    smoothing_length : float
+        Detail below this length in meters is noise, where smoothing is by LENGTH.
     on_progress : callable, optional
         Receives the share of the work that is done.
 
     Returns
     -------
     Curvature
-        Sectors of pieces that are planar have zero curvature; sectors of pieces too small or too
-        degenerate for a fit are undefined.
+        Points without a tangent plane (the apex of a cone) and without faces are undefined;
+        smooth pieces that are planes up to rounding are exactly flat.
     """
-    triangles = surface.sector_triangles[~surface.is_degenerate[surface.mesh.triangle_polygon]]
-    used, compact = np.unique(triangles, return_inverse=True)
-    k1, k2 = np.zeros(surface.sector_count), np.zeros(surface.sector_count)
-    direction_1, direction_2 = (np.zeros((surface.sector_count, 3)) for _ in range(2))
-    is_defined = np.zeros(surface.sector_count, dtype=np.bool_)
-    if len(used):
-        k1[used], k2[used], direction_1[used], direction_2[used], failed = principal_curvature(
-            surface.sector_position[used], compact.reshape(-1, 3), _RINGS
-        )
-        is_defined[used] = True
-        is_defined[used[failed]] = False
+    # The engine loads scipy, which Blender's start must not pay for.
+    from .engine import estimator
+    from .engine.faces import polygon_curvature
+
+    mesh = surface.mesh
+    estimate = estimator.estimate_curvature(
+        surface.sector_position,
+        surface.sector_triangles,
+        rounding_step=mesh.resolution,
+        smoothing=_SCALES.get(smoothing, smoothing_length),
+    )
     if on_progress:
         on_progress(0.9)
-    is_planar = planar_sectors(surface)
-    is_defined |= is_planar
-    is_straight = is_planar | ~is_defined
-    k1[is_straight], k2[is_straight] = 0.0, 0.0
-    is_umbilic = is_straight | (k1 - k2 <= _UMBILIC * np.maximum(np.abs(k1), np.abs(k2)))
-    direction_1[is_umbilic], direction_2[is_umbilic] = 0.0, 0.0
-    return Curvature(k1, k2, direction_1, direction_2, is_defined)
-
-
-def planar_sectors(surface: Surface) -> Flags:
-    """Return which sectors lie on a smooth piece that is a plane up to rounding.
-
-    Parameters
-    ----------
-    surface : Surface
-
-    Returns
-    -------
-    (s,) bool
-    """
-    mesh = surface.mesh
-    polygon = mesh.corner_polygon[surface.edges.smooth]
-    polygon_piece = connected_groups(polygon, mesh.polygon_count)
-    piece_count = int(polygon_piece.max()) + 1
-    piece = polygon_piece[mesh.corner_polygon]
-    vector = polygon_area_vectors(mesh)
-    normal = np.stack(
-        [sum_by_group(polygon_piece, vector[:, axis], piece_count) for axis in range(3)], axis=1
+    face_k1, face_k2 = polygon_curvature(
+        surface.sector_position, surface.sector_triangles, mesh.triangle_polygon, estimate
     )
-    length = np.linalg.norm(normal, axis=1)
-    normal /= np.maximum(length, np.finfo(float).tiny)[:, None]
-    position = surface.sector_position[surface.corner_sector]
-    height = np.einsum("ij,ij->i", position, normal[piece])
-    order = np.argsort(piece, kind="stable")
-    start = np.concatenate([[0], np.cumsum(np.bincount(piece, minlength=piece_count))[:-1]])
-
-    def spread(values: Floats) -> Floats:
-        values = values[order]
-        return np.maximum.reduceat(values, start) - np.minimum.reduceat(values, start)
-
-    extent = np.linalg.norm([spread(position[:, axis]) for axis in range(3)], axis=0)
-    is_plane = (spread(height) <= _PLANARITY * extent + 2.0 * mesh.resolution) & (length > 0.0)
-    planar = np.zeros(surface.sector_count, dtype=np.bool_)
-    planar[surface.corner_sector] = is_plane[piece]
-    return planar
+    is_flat_face = planar_polygons(surface)
+    is_flat = sectors_of(surface, is_flat_face)
+    for values in (
+        estimate.k1,
+        estimate.k2,
+        estimate.direction_1,
+        estimate.direction_2,
+        estimate.error,
+    ):
+        values[is_flat] = 0.0
+    face_k1[is_flat_face], face_k2[is_flat_face] = 0.0, 0.0
+    is_defined = is_flat | (estimate.quality >= 0)
+    has_corner = np.logical_or.reduceat(is_defined[surface.corner_sector], mesh.polygon_start[:-1])
+    return Curvature(
+        k1=estimate.k1,
+        k2=estimate.k2,
+        direction_1=estimate.direction_1,
+        direction_2=estimate.direction_2,
+        normal=estimate.normals,
+        uncertainty=estimate.error,
+        is_defined=is_defined,
+        is_smoothed=(estimate.quality == estimator.SMOOTHED) & ~is_flat,
+        is_doubtful=(estimate.quality == estimator.FALLBACK) & ~is_flat,
+        face_k1=face_k1,
+        face_k2=face_k2,
+        is_face_defined=has_corner & ~surface.is_degenerate,
+    )

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from .libigl import misoriented_triangles
 from .surface import Surface
 
 #: Rounding above this share of the median edge length spoils curvature visibly.
@@ -43,10 +44,8 @@ def diagnose(surface: Surface) -> tuple[str, ...]:
         ),
         (
             edges.flipped_count,
-            "edge has faces that point to opposite sides and counts as a crease: "
-            "Mesh > Normals > Recalculate Outside",
-            "edges have faces that point to opposite sides and count as creases: "
-            "Mesh > Normals > Recalculate Outside",
+            f"edge has faces that point to opposite sides and counts as a crease{_cure(surface)}",
+            f"edges have faces that point to opposite sides and count as creases{_cure(surface)}",
         ),
         (
             mesh.vertex_count - len(np.unique(mesh.corner_vertex)),
@@ -68,6 +67,17 @@ def duplicate_polygon_count(surface: Surface) -> int:
     mixed ^= mixed >> np.uint64(29)
     sums = np.sort(np.add.reduceat(mixed, mesh.polygon_start[:-1]))
     return int(np.count_nonzero(sums[1:] == sums[:-1]))
+
+
+def _cure(surface: Surface) -> str:
+    """Return what would mend faces that point to opposite sides, empty where none do."""
+    if not surface.edges.flipped_count:
+        return ""
+    mesh = surface.mesh
+    is_turned = misoriented_triangles(mesh.corner_vertex[mesh.triangle_corner])
+    count = len(np.unique(mesh.triangle_polygon[is_turned]))
+    faces = "1 face" if count == 1 else f"{count} faces"
+    return f" ({faces} to turn): Mesh > Normals > Recalculate Outside"
 
 
 def _rounding_warning(surface: Surface) -> tuple[str, ...]:

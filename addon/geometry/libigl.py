@@ -6,46 +6,28 @@ from __future__ import annotations
 
 import numpy as np
 
-from .types import Floats, Indices
+from .types import Flags, Indices
 
 
-def principal_curvature(
-    positions: Floats, triangles: Indices, radius: int
-) -> tuple[Floats, Floats, Floats, Floats, Indices]:
-    """Return principal curvatures and directions by quadric fitting.
+def misoriented_triangles(triangles: Indices) -> Flags:
+    """Return which triangles would have to turn for the winding to agree.
 
     Parameters
     ----------
-    positions : (s, 3) float64
-        Every position must be used by a triangle.
     triangles : (t, 3) int64
-        Counter-clockwise seen from outside.
-    radius : int
-        Size of the neighborhood in rings, at least 2.
 
     Returns
     -------
-    k1, k2 : (s,) float64
-        k1 >= k2, positive where the surface is convex seen from outside.
-    direction_1, direction_2 : (s, 3) float64
-        Unit principal directions.
-    failed : (b,) int64
-        Positions where the fit failed; their values are zero.
-
-    References
-    ----------
-    .. [1] Panozzo, Puppo, Rocca (2010). Efficient multi-scale curvature and crease estimation.
+    (t,) bool
+        In every piece of the surface the fewer triangles. Pieces that cannot be oriented, such as
+        a Moebius strip, keep a seam whichever triangles turn.
     """
     # Together with scipy, libigl takes long to load; Blender's start must not pay for it.
     import igl  # pyright: ignore[reportMissingTypeStubs] – it does not declare its types
 
-    direction_1, direction_2, k1, k2, failed = igl.principal_curvature(
-        np.ascontiguousarray(positions), np.ascontiguousarray(triangles, dtype=np.int64), radius
-    )
-    return (
-        np.asarray(k1, dtype=np.float64),
-        np.asarray(k2, dtype=np.float64),
-        np.asarray(direction_1, dtype=np.float64),
-        np.asarray(direction_2, dtype=np.float64),
-        np.array(failed, dtype=np.int64),
-    )
+    result = igl.bfs_orient(np.ascontiguousarray(triangles, dtype=np.int64))
+    oriented, piece = (np.asarray(each, dtype=np.int64) for each in result)
+    is_turned = (oriented != triangles).any(axis=1)
+    patch = piece.reshape(-1)
+    share = np.bincount(patch, is_turned) / np.maximum(np.bincount(patch), 1)
+    return is_turned != (share > 0.5)[patch]

@@ -11,7 +11,6 @@ import numpy as np
 from .absorption import absorb_small_regions
 from .classification import SurfaceClass, classify
 from .curvature import Curvature
-from .faces import face_curvature
 from .regions import Regions, connect_regions
 from .statistics import smallest_radius
 from .surface import Surface
@@ -75,10 +74,9 @@ def segment(
     -------
     Segmentation
     """
-    k1, k2, is_defined = face_curvature(surface, curvature)
-    face_class = absorb_small_regions(
-        surface, classify(k1, k2, tolerance.curvature_limit, is_defined), min_area
-    )
+    k1, k2 = curvature.face_k1, curvature.face_k2
+    labels = classify(k1, k2, tolerance.curvature_limit, curvature.is_face_defined)
+    face_class = absorb_small_regions(surface, labels, min_area)
     regions = connect_regions(surface, face_class)
     size = np.maximum(np.abs(k1), np.abs(k2))
     return Segmentation(

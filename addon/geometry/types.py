@@ -25,5 +25,11 @@ Flags = NDArray[np.bool_]
 AnyArray = NDArray[Any]
 """An array whose type is not of interest."""
 
+Coordinates = tuple[Floats, Floats, Floats]
+"""x, y and z of positions, each contiguous, which is faster to compute on."""
+
+Graph = Any
+"""A scipy.sparse.csr_matrix; not named, because loading scipy must wait until it is needed."""
+
 Progress = Callable[[float], None]
 """Called with the share of the work that is done, 0 to 1; may raise to stop the work."""

@@ -32,13 +32,6 @@ from surfaces.spheres import SPHERE_KINDS, sample_ellipsoid
 #: Faces between a vertex and the rim for it to count as inner: the estimator's two rings.
 RINGS = 2
 
-#: The estimator of libigl does not keep the budget at these rims.
-WEAK_RIMS = {
-    ("cone", "alternating"),
-    ("cone", "irregular"),
-    *(("tangent developable", kind) for kind in KINDS),
-}
-
 CURVED = [name for name in PATCHES if name != "plane"]
 SPHERE, ELLIPSOID = (1.0, 1.0, 1.0), (1.0, 0.8, 0.6)
 
@@ -98,11 +91,7 @@ def test_inner_errors_stay_within_the_budget(name: str, kind: str) -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("name", CURVED)
-def test_errors_at_rims_stay_within_the_budget(
-    name: str, kind: str, request: pytest.FixtureRequest
-) -> None:
-    if (name, kind) in WEAK_RIMS:
-        request.applymarker(pytest.mark.xfail(reason="libigl's fit is weak at rims"))
+def test_errors_at_rims_stay_within_the_budget(name: str, kind: str) -> None:
     sample, _, curvature = _patch(name, kind, 16)
     assert (_error(sample, curvature) <= _budget(sample)).all()
 

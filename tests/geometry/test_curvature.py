@@ -6,12 +6,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from architectural_curvature.addon.geometry.curvature import (
-    Curvature,
-    estimate_curvature,
-    planar_sectors,
-)
+from architectural_curvature.addon.geometry.curvature import Curvature, estimate_curvature
 from architectural_curvature.addon.geometry.mesh import mesh_from_polygons
+from architectural_curvature.addon.geometry.planar import planar_polygons
 from architectural_curvature.addon.geometry.surface import Surface, build_surface
 from solids import capped_cylinder, cube, grid, joined, pointed_vault
 from surfaces.catalogue import PATCHES
@@ -62,7 +59,7 @@ def test_nothing_stored_is_nan_whatever_the_mesh() -> None:
 def test_all_six_sides_of_a_cube_are_flat(count: int) -> None:
     surface, curvature = _measure(*cube(count))
     _assert_flat(curvature)
-    assert planar_sectors(surface).all()
+    assert planar_polygons(surface).all()
 
 
 def test_a_flat_piece_is_flat_up_to_the_rounding_of_its_coordinates() -> None:
@@ -188,7 +185,7 @@ def test_a_sphere_has_no_directions_where_its_curvatures_agree() -> None:
 def test_progress_is_reported_in_order() -> None:
     surface, _ = _measure(*cube(3))
     shares: list[float] = []
-    estimate_curvature(surface, shares.append)
+    estimate_curvature(surface, on_progress=shares.append)
     assert shares == sorted(shares)
     assert all(0.0 <= share <= 1.0 for share in shares)
     assert shares
@@ -201,4 +198,4 @@ def test_stopping_through_progress_stops() -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        estimate_curvature(surface, stop)
+        estimate_curvature(surface, on_progress=stop)

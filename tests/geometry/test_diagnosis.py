@@ -60,7 +60,7 @@ def test_inner_faces_are_counted_by_their_edges() -> None:
 
 def test_mixed_winding_is_counted_by_edges() -> None:
     assert _warnings([[0, 1, 2, 3], [2, 5, 4, 1]], 6) == (
-        "1 edge has faces that point to opposite sides and counts as a crease: "
+        "1 edge has faces that point to opposite sides and counts as a crease (1 face to turn): "
         "Mesh > Normals > Recalculate Outside",
     )
 

@@ -118,10 +118,6 @@ def test_a_model_far_from_the_origin_has_the_same_curvature(name: str) -> None:
     assert np.array_equal(_classes(moved_surface, moved), _classes(surface, curvature))
 
 
-# libigl takes the matrix of the shape operator for symmetric, which it is in an orthonormal frame
-# only: its values depend, to second order, on the axes of the fit, which it takes from the first
-# neighbor of each vertex.
-@pytest.mark.xfail(reason="libigl's fit depends on the numbering of vertices")
 @laws
 @given(models, seeds)
 def test_the_order_of_vertices_does_not_matter(name: str, seed: int) -> None:

@@ -12,6 +12,7 @@ from architectural_curvature.addon.geometry.mesh import mesh_from_polygons
 from architectural_curvature.addon.geometry.segmentation import Segmentation, segment
 from architectural_curvature.addon.geometry.surface import Surface, build_surface
 from architectural_curvature.addon.geometry.tolerance import Tolerance
+from curvatures import given_curvature
 from solids import capped_cylinder, cube, grid, pointed_vault
 
 #: The limit is 0.08/m, a radius of 12.5 m.
@@ -28,11 +29,7 @@ def _given(k1: list[float], *, defined: bool = True) -> tuple[Surface, Curvature
     vertices, faces = grid(lambda u, v: (len(k1) * u, v, 0.0), (len(k1), 1))
     cuts = [(2 * i, 2 * i + 1) for i in range(1, len(k1))]
     surface = build_surface(mesh_from_polygons(vertices, faces, sharp_edges=cuts))
-    values = np.zeros(surface.sector_count)
-    values[surface.corner_sector] = np.repeat(k1, 4)
-    none = np.zeros((surface.sector_count, 3))
-    flags = np.full(surface.sector_count, defined)
-    return surface, Curvature(values, values, none, none, flags)
+    return surface, given_curvature(surface, k1, k1, is_defined=defined)
 
 
 def test_a_cube_is_flat_in_six_regions() -> None:
@@ -110,10 +107,7 @@ def test_where_nothing_is_defined_nothing_is_invented() -> None:
 def test_small_regions_join_their_neighbors_on_request() -> None:
     vertices, faces = grid(lambda u, v: (6.0 * u, v, 0.0), (6, 1))
     surface = build_surface(mesh_from_polygons(vertices, faces))
-    values = np.zeros(surface.sector_count)
-    values[-4:] = 1.0
-    none = np.zeros((surface.sector_count, 3))
-    curvature = Curvature(values, 0.0 * values, none, none, np.ones(len(values), dtype=np.bool_))
+    curvature = given_curvature(surface, [0.0, 0.0, 0.0, 0.0, 1.0, 1.0], 0.0)
     kept = segment(surface, curvature, STRICT)
     assert kept.face_class.tolist() == [0, 0, 0, 0, 1, 1]
     absorbed = segment(surface, curvature, STRICT, min_area=3.0)

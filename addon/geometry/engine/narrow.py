@@ -1,0 +1,297 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The narrow fit.
+
+A jet of degree 4 at every vertex over its nearest rings, as sharp as the mesh allows.
+"""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..types import AnyArray, Coordinates, Graph
+from .jet_fit import UNDETERMINED, JetOptions, fit_jets, shape_operator
+from .neighborhoods import padded_table, rings
+
+#: Vertices whose rings are walked together: bounds the memory of the rows.
+ROWS = 40_000
+#: Threads: more gain little, as memory is what they wait for.
+WORKERS = min(4, os.cpu_count() or 1)
+#: Table entries (neighbors times vertices) worked on at once: what stays in the processor's cache.
+ENTRIES = 60_000
+#: Small meshes are given three rings, which costs nobody a second and more than halves the error.
+#: Large ones are fine enough for two.
+LARGE = 150_000
+THREE_RINGS = (3, JetOptions(falloff=4.0, softening=0.1))
+TWO_RINGS = (2, JetOptions(falloff=3.0, softening=0.1))
+#: Where rounding is all the noise there is, a constant term and even weights suffice against it.
+ROUNDED = (3, JetOptions(constant=True, falloff=0.0))
+#: Beside a rim a vertex has neighbors on one side only, on it still fewer: reach further, but look
+#: closer.
+NEAR_RIM = (3, JetOptions(falloff=5.0, softening=0.1))
+RIM = (4, JetOptions(falloff=6.0, softening=0.1))
+#: There heights are measured over the mean plane of what lies around, not over the tangent plane:
+#: so the slopes stay small within a neighborhood to one side, and high orders with them.
+LEANING = 5
+#: A normal is not turned further than this cosine.
+FARTHEST = 0.5
+#: A fit conditioned worse than this is repeated with one ring more.
+WEAK = 25.0
+#: At a corner of the rim even four rings are few: a fit conditioned worse than this takes six.
+CORNER = 2000.0
+#: On a rim of a mesh so coarse that a fit is expected to err by this share, a paraboloid over two
+#: rings is tried, and taken if the error it promises, squared, is below this share.
+COARSE, COARSE_PROMISE = 0.05, 0.25
+PARABOLOID = (2, JetOptions(degree=2, falloff=3.0, softening=0.1))
+#: A fit expected to err by more than this share is tried again with fewer rings.
+SHARPEN = 0.01
+#: They are taken if the error they promise, squared, is below this share.
+PROMISE = 0.5
+#: Larger meshes are fine enough without (and time counts).
+SMALL = 12_000
+
+#: Part of a fit's predicted variance that is real (measured on noise).
+CALIBRATION = 0.4
+#: Vertices of a pilot fit.
+PILOT = 2000
+
+
+@dataclass
+class NarrowFit:
+    """Values at n vertices.
+
+    Attributes
+    ----------
+    k1, k2 : (n,), direction_1, direction_2, normals : (n, 3)
+    residual : (n,)
+        RMS misfit of the heights (m).
+    variance : (n,)
+        Variance of the curvature for unit variance of the heights (1/m⁴).
+    condition : (n,)
+        How well the neighbors determine the curvature; `UNDETERMINED` where they are fewer than
+        the unknowns.
+    radius : (n,)
+        RMS distance of the neighbors (m).
+    """
+
+    k1: AnyArray
+    k2: AnyArray
+    direction_1: AnyArray
+    direction_2: AnyArray
+    normals: AnyArray
+    residual: AnyArray
+    variance: AnyArray
+    condition: AnyArray
+    radius: AnyArray
+
+
+def empty_fit(normals: AnyArray) -> NarrowFit:
+    """Return a fit that says nothing yet."""
+    n = len(normals)
+    zero = [
+        np.zeros(n),
+        np.zeros(n),
+        np.zeros((n, 3)),
+        np.zeros((n, 3)),
+        normals.copy(),
+        np.zeros(n),
+        np.zeros(n),
+        np.full(n, UNDETERMINED),
+        np.zeros(n),
+    ]
+    return NarrowFit(*zero)
+
+
+def fit_into(
+    fit: NarrowFit,
+    coordinates: Coordinates,
+    graph: Graph,
+    walk: Graph,
+    normals: AnyArray,
+    vertices: AnyArray,
+    ring: int,
+    options: JetOptions,
+) -> None:
+    """Fit the chosen vertices over so many rings and store what was found.
+
+    Blocks of vertices are independent, and numpy lets go of the interpreter while it works: two or
+    more processors share them.
+    """
+    blocks = [vertices[start : start + ROWS] for start in range(0, len(vertices), ROWS)]
+
+    def work(block: AnyArray) -> None:
+        _fit_block(fit, coordinates, rings(graph, walk, block, ring), normals, block, options)
+
+    if len(blocks) < 3 or WORKERS < 2:
+        for block in blocks:
+            work(block)
+        return
+    with ThreadPoolExecutor(WORKERS) as workers:
+        list(workers.map(work, blocks))
+
+
+def _fit_block(
+    fit: NarrowFit,
+    coordinates: Coordinates,
+    rows: Graph,
+    normals: AnyArray,
+    block: AnyArray,
+    options: JetOptions,
+) -> None:
+    length = np.diff(rows.indptr)
+    order = np.argsort(length, kind="stable")
+    position = 0
+    while position < len(order):
+        # rows are sorted by length, so a chunk is padded to its last row's
+        size = max(64, ENTRIES // max(int(length[order[position]]), 8))
+        chosen = order[position : position + size]
+        position += size
+        centers = block[chosen]
+        table, used = padded_table(rows, chosen, centers)
+        jet = fit_jets(coordinates, table, used, centers, normals[centers], options)
+        k1, k2, direction_1, direction_2, normal = shape_operator(jet)
+        fit.k1[centers], fit.k2[centers], fit.normals[centers] = k1, k2, normal
+        fit.direction_1[centers], fit.direction_2[centers] = direction_1, direction_2
+        fit.residual[centers], fit.variance[centers] = jet.residual, jet.variance
+        fit.condition[centers], fit.radius[centers] = jet.condition, jet.radius
+
+
+def narrow_fit(
+    coordinates: Coordinates,
+    graph: Graph,
+    walk: Graph,
+    normals: AnyArray,
+    rim: AnyArray,
+    sound: AnyArray,
+    wide: bool = False,
+) -> NarrowFit:
+    """Fit every sound vertex.
+
+    Parameters
+    ----------
+    coordinates : three (n,) float64
+    graph, walk : (n, n) sparse
+        Edges with a full diagonal; the same without the hubs.
+    normals : (n, 3) float64
+    rim, sound : (n,) bool
+    wide : bool
+        The steps of rounding show: take three rings, evenly weighted.
+    """
+    fit = empty_fit(normals)
+    near = (np.asarray(graph @ rim.astype(np.float32)) > 0) & ~rim
+    ring, options = ROUNDED if wide else THREE_RINGS if len(normals) < LARGE else TWO_RINGS
+
+    def run(mask: AnyArray, count: int, how: JetOptions) -> None:
+        fit_into(fit, coordinates, graph, walk, normals, np.flatnonzero(mask & sound), count, how)
+
+    run(~near & ~rim, ring, options)
+    weak = (fit.condition > WEAK) & ~near & ~rim
+    run(weak, ring + 1, options)
+    normals = leaning_normals(graph, normals, near | rim)
+    run(near, *NEAR_RIM)
+    run(rim, *RIM)
+    run(rim & (fit.condition > CORNER), 6, RIM[1])
+    promised = CALIBRATION * fit.residual**2 * fit.variance
+    coarse = rim & sound & (promised > COARSE**2 * np.maximum(np.abs(fit.k1), np.abs(fit.k2)) ** 2)
+    _try(fit, coordinates, graph, walk, normals, np.flatnonzero(coarse), PARABOLOID)
+    if len(normals) < SMALL:
+        _sharpen(fit, coordinates, graph, walk, normals, np.flatnonzero(sound & ~rim))
+    return fit
+
+
+def _try(
+    fit: NarrowFit,
+    coordinates: Coordinates,
+    graph: Graph,
+    walk: Graph,
+    normals: AnyArray,
+    vertices: AnyArray,
+    how: tuple[int, JetOptions],
+) -> None:
+    """Fit chosen vertices otherwise, and keep what promises to err much less."""
+    if not len(vertices):
+        return
+    other = empty_fit(normals)
+    fit_into(other, coordinates, graph, walk, normals, vertices, *how)
+    before, after = ((each.residual**2 * each.variance)[vertices] for each in (fit, other))
+    is_full = other.condition[vertices] < UNDETERMINED
+    _copy(fit, other, vertices[(after < COARSE_PROMISE * before) & is_full])
+
+
+def _copy(fit: NarrowFit, other: NarrowFit, vertices: AnyArray) -> None:
+    for name in NarrowFit.__dataclass_fields__:
+        getattr(fit, name)[vertices] = getattr(other, name)[vertices]
+
+
+def leaning_normals(graph: Graph, normals: AnyArray, chosen: AnyArray) -> AnyArray:
+    """Return the normals, with the chosen ones replaced by the mean of those around them."""
+    if not chosen.any():
+        return normals
+    leaning = normals
+    for _ in range(LEANING):
+        leaning = graph @ leaning
+    leaning = leaning / np.maximum(np.linalg.norm(leaning, axis=1), 1e-300)[:, None]
+    is_near = np.einsum("ij,ij->i", leaning, normals) > FARTHEST
+    return np.where((chosen & is_near)[:, None], leaning, normals)
+
+
+def pilot_fit(
+    coordinates: Coordinates, graph: Graph, walk: Graph, normals: AnyArray, usable: AnyArray
+) -> NarrowFit | None:
+    """Fit some vertices spread over the mesh, to learn whether fitting all is worth while.
+
+    None if there are too few.
+    """
+    vertices = np.flatnonzero(usable)
+    if len(vertices) < SMALL:
+        return None
+    chosen = vertices[:: len(vertices) // PILOT]
+    fit = empty_fit(normals)
+    fit_into(
+        fit,
+        coordinates,
+        graph,
+        walk,
+        normals,
+        chosen,
+        *(THREE_RINGS if len(normals) < LARGE else TWO_RINGS),
+    )
+    return NarrowFit(*(getattr(fit, name)[chosen] for name in NarrowFit.__dataclass_fields__))
+
+
+def ring_mean(walk: Graph, values: AnyArray) -> AnyArray:
+    """Return values averaged twice over the neighbors.
+
+    A residual of few points says little alone.
+    """
+    valence = np.diff(walk.indptr)
+    for _ in range(2):
+        values = (walk @ values) / valence
+    return values
+
+
+def _sharpen(
+    fit: NarrowFit,
+    coordinates: Coordinates,
+    graph: Graph,
+    walk: Graph,
+    normals: AnyArray,
+    vertices: AnyArray,
+) -> None:
+    """Take two rings instead of three where they promise a smaller error.
+
+    That is so where the shape bends much; noise makes them promise a larger one.
+    """
+    expected = ring_mean(walk, fit.residual**2) * fit.variance
+    chosen = vertices[(expected > SHARPEN**2 * (fit.k1**2 + fit.k2**2))[vertices]]
+    if not len(chosen):
+        return
+    other = NarrowFit(*(np.copy(getattr(fit, name)) for name in NarrowFit.__dataclass_fields__))
+    fit_into(other, coordinates, graph, walk, normals, chosen, *TWO_RINGS)
+    promised = ring_mean(walk, other.residual**2) * other.variance
+    better = chosen[((promised < PROMISE * expected) & (other.condition < WEAK))[chosen]]
+    _copy(fit, other, better)
