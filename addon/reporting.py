@@ -27,7 +27,10 @@ def conclude(operator: Operator, outcome: Outcome, verb: str) -> set[str]:
     parts = [f"{verb} {outcome.carriers[0].name if count == 1 else f'{count} models'}"]
     parts += outcome.refused
     if outcome.warnings:
-        parts.append(f"{len(outcome.warnings)} warnings are listed under Results")
+        count = len(outcome.warnings)
+        parts.append(
+            f"{count} {'warning is' if count == 1 else 'warnings are'} listed under Results"
+        )
     if count == 1 and outcome.carriers[0].data.curvature.is_segmented:
         parts[0] += f": {shares_text(outcome.carriers[0])}"
     is_sound = not outcome.refused and not outcome.warnings

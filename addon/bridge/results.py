@@ -167,8 +167,8 @@ def _undefined_warning(analysis: Analysis) -> tuple[str, ...]:
     if not count:
         return ()
     return (
-        f"{count} of {analysis.surface.sector_count} places have too few faces around them "
-        "for a curvature and are left undefined",
+        f"{count} of {analysis.surface.sector_count} places have no tangent plane, such as the tip "
+        "of a cone, or no faces with an area, and are left undefined",
     )
 
 

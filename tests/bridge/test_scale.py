@@ -15,8 +15,9 @@ VALUES = ("curvature_gaussian", "curvature_mean", "curvature_k1", "curvature_k2"
 TURN = Euler((0.3, -0.7, 1.1)).to_matrix().to_4x4()
 
 # Coordinates of a mesh 2 units wide are off by 1e-7, as float32 is; over edges h = 1/8 long that is
-# 1e-7 / h² in curvature, three times for the second differences of a fit, and k is 1/2.
-ROUNDING = 1e-7 * 8**2 * 3 / 0.5
+# 1e-7 / h² in curvature, times the norm of the weights of a second difference of fourth order, and
+# k is 1/2. At rims the difference is one-sided: its weights are 35/12, -26/3, 19/2, -14/3, 11/12.
+ROUNDING = 1e-7 * 8**2 * float(np.linalg.norm([35 / 12, -26 / 3, 19 / 2, -14 / 3, 11 / 12])) / 0.5
 
 
 def _analyzed(obj: Object) -> Object:
