@@ -32,6 +32,8 @@ class Edges:
         Number of edges with more than two polygons; always creases.
     flipped_count : int
         Number of edges that their two polygons run through in the same direction; always creases.
+    marked_count : int
+        Number of inner edges that are creases only because they are marked sharp.
     """
 
     inner: Indices
@@ -39,6 +41,7 @@ class Edges:
     rim: Indices
     nonmanifold_count: int
     flipped_count: int
+    marked_count: int
 
     @property
     def smooth(self) -> Indices:
@@ -85,13 +88,15 @@ def find_edges(
 
     polygon = mesh.corner_polygon[inner]
     is_measured = ~is_degenerate[polygon].any(axis=1)
-    folded = dihedral_angles(area_vectors[polygon[:, 0]], area_vectors[polygon[:, 1]])
+    angle = dihedral_angles(area_vectors[polygon[:, 0]], area_vectors[polygon[:, 1]])
+    is_folded = is_measured & (angle > crease_angle)
     return Edges(
         inner=inner,
-        is_crease=sharp | (is_measured & (folded > crease_angle)),
+        is_crease=sharp | is_folded,
         rim=first[uses == 1],
         nonmanifold_count=int((uses > 2).sum()),
         flipped_count=int(is_flipped.sum()),
+        marked_count=int((sharp & ~is_folded).sum()),
     )
 
 

@@ -12,6 +12,9 @@ from .surface import Surface
 #: Rounding above this share of the median edge length spoils curvature visibly.
 _COARSE_ROUNDING = 1e-4
 
+#: More sharp marks than this share of the edges nobody sets by hand.
+_SHADED_SHARE = 0.25
+
 
 def diagnose(surface: Surface) -> tuple[str, ...]:
     """Return one sentence per kind of defect, each with the number of places.
@@ -54,7 +57,7 @@ def diagnose(surface: Surface) -> tuple[str, ...]:
         ),
     )
     sentences = [f"{count} {one if count == 1 else many}" for count, one, many in counted if count]
-    return (*sentences, *_rounding_warning(surface))
+    return (*sentences, *_shading_warning(surface), *_rounding_warning(surface))
 
 
 def duplicate_polygon_count(surface: Surface) -> int:
@@ -67,6 +70,18 @@ def duplicate_polygon_count(surface: Surface) -> int:
     mixed ^= mixed >> np.uint64(29)
     sums = np.sort(np.add.reduceat(mixed, mesh.polygon_start[:-1]))
     return int(np.count_nonzero(sums[1:] == sums[:-1]))
+
+
+def _shading_warning(surface: Surface) -> tuple[str, ...]:
+    """Warn of sharp edges that come from shading: importers mark them on models shaded flat."""
+    edges = surface.edges
+    if edges.marked_count <= _SHADED_SHARE * len(edges.inner):
+        return ()
+    return (
+        f"{edges.marked_count} of {len(edges.inner)} edges are creases only because they are "
+        "marked sharp, which leaves flat facets: if that is the shading of an import, "
+        "Edge > Clear Sharp",
+    )
 
 
 def _cure(surface: Surface) -> str:

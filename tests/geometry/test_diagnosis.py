@@ -80,3 +80,23 @@ def test_coarse_rounding_is_told_with_its_size() -> None:
 def test_all_defects_are_told_at_once() -> None:
     faces = [[0, 1, 2, 3], [0, 1, 2, 3], [0, 4, 1]]
     assert len(diagnose(_surface(faces))) >= 3
+
+
+def _gable(step: float) -> tuple[np.ndarray, list[list[int]]]:
+    """Return three quads side by side, each a little steeper than the one before."""
+    turn = step * np.arange(4)
+    x, z = np.cumsum(np.cos(turn)) - 1.0, np.cumsum(np.sin(turn))
+    near = np.stack([x, 0.0 * x, z], axis=1)
+    vertices = np.concatenate([near, near + [0.0, 1.0, 0.0]])
+    return vertices, [[i, i + 1, i + 5, i + 4] for i in range(3)]
+
+
+def test_edges_that_only_shading_marked_sharp_are_told() -> None:
+    vertices, faces = _gable(0.1)
+    (sentence,) = diagnose(_surface(faces, vertices, sharp_edges=[(1, 5), (2, 6)]))
+    assert sentence.startswith("2 of 2 edges are creases only because they are marked sharp")
+
+
+def test_marks_on_true_folds_are_no_shading() -> None:
+    vertices, faces = _gable(1.0)
+    assert diagnose(_surface(faces, vertices, sharp_edges=[(1, 5), (2, 6)])) == ()
