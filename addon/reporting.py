@@ -4,16 +4,24 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import bpy
+import numpy as np
 from bpy.types import Context, Object, Operator
 
 from .bridge import results
+from .bridge.display import class_colors
+from .bridge.mode import object_mode
 from .bridge.numbers import as_typed
 from .geometry.classification import SurfaceClass
+from .geometry.display.colormap import srgb_from_linear
 from .geometry.display.palette import CLASS_NAMES
+from .overlay.content import class_legend
 from .report.document import build_document
+from .report.html import Picture
+from .report.measures import CLASS_KEYS
 from .tasks import Outcome
 from .version import extension_version
 
@@ -62,6 +70,30 @@ def scene_document(context: Context, carriers: list[Object], source: str) -> dic
     blocks = [results.read_report(carrier) for carrier in carriers]
     objects = [{**block, "source": source} for block in blocks if block]
     return document_of(objects, used_settings(context, carriers, objects))
+
+
+def report_pictures(context: Context, carriers: list[Object], path: Path) -> list[Picture]:
+    """Return the pictures that a report of this name shows: none but in HTML.
+
+    Raises
+    ------
+    FileRefusedError
+        If the machine lacks what renders.
+    """
+    if path.suffix.lower() != ".html":
+        return []
+    legend = class_legend(context.scene, carriers)
+    with object_mode(context):
+        return four_sides(carriers, legend)
+
+
+def css_colors(context: Context) -> dict[str, str]:
+    """Return the colors that the user gave to the classes, as HTML reports take them."""
+    return {
+        CLASS_KEYS[surface_class]: "#%02x%02x%02x"
+        % tuple(round(255 * float(part)) for part in srgb_from_linear(np.array(color)))
+        for surface_class, color in class_colors(context.scene.curvature).items()
+    }
 
 
 def document_of(objects: list[dict[str, Any]], settings: dict[str, Any]) -> dict[str, Any]:

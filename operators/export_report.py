@@ -12,8 +12,8 @@ from bpy.types import Context, Event, Operator
 
 from ..addon import polls
 from ..addon.bridge.subject import carrier_of, selected_subjects
-from ..addon.report.files import FORMATS, FileRefusedError, write_report
-from ..addon.reporting import scene_document
+from ..addon.report.files import FORMATS, FileRefusedError, check_format, write_report
+from ..addon.reporting import css_colors, report_pictures, scene_document
 
 
 class CURVATURE_OT_export_report(Operator):
@@ -22,14 +22,14 @@ class CURVATURE_OT_export_report(Operator):
     bl_idname = "curvature.export_report"
     bl_label = "Export Report"
     bl_description = (
-        "Write areas, shares, radii and statistics of the selected meshes to a JSON or CSV file"
+        "Write areas, shares, radii and statistics of the selected meshes to an HTML, JSON or CSV file"
     )
     # No UNDO: the operator changes a file, nothing in Blender.
     bl_options = {"REGISTER"}
 
     filepath: StringProperty(
         name="File Path",
-        description="File to write; its ending decides the format: .json or .csv",
+        description="File to write; its ending decides the format: .html, .json or .csv",
         subtype="FILE_PATH",
         options={"SKIP_SAVE"},
     )
@@ -55,7 +55,7 @@ class CURVATURE_OT_export_report(Operator):
         """Ask for the file, beside the open one by default."""
         if not self.filepath:
             stem = Path(bpy.data.filepath).stem or "untitled"
-            self.filepath = str(Path(bpy.data.filepath).with_name(f"{stem}-curvature.json"))
+            self.filepath = str(Path(bpy.data.filepath).with_name(f"{stem}-curvature.html"))
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
 
@@ -68,7 +68,10 @@ class CURVATURE_OT_export_report(Operator):
             return {"CANCELLED"}
         path = Path(bpy.path.abspath(self.filepath))
         try:
-            write_report(path, scene_document(context, carriers, bpy.data.filepath))
+            check_format(path)
+            pictures = report_pictures(context, carriers, path)
+            document = scene_document(context, carriers, bpy.data.filepath)
+            write_report(path, document, pictures, css_colors(context))
         except FileRefusedError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}

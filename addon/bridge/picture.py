@@ -20,8 +20,11 @@ from ..geometry.types import AnyArray, Floats
 from ..report.files import FileRefusedError, written_whole
 from .mesh import read_array
 
-#: Where the eye is, seen from the model: in front, to the right, above.
-_EYE = np.array([0.55, -1.0, 0.6])
+Direction = tuple[float, float, float]
+
+FRONT: Direction = (0.55, -1.0, 0.6)
+"""Where the eye is, seen from the model: in front, to the right, above."""
+
 _MARGIN = 1.12
 _BACKGROUND = (0.96, 0.96, 0.95)
 _LEGEND_MARGIN = 24
@@ -35,6 +38,7 @@ def render(
     legend: Legend | None,
     size: tuple[int, int],
     path: Path,
+    eye: Direction = FRONT,
 ) -> None:
     """Render objects in their curvature colors, framed, with the legend in the lower left corner.
 
@@ -47,6 +51,8 @@ def render(
         Width and height in pixels.
     path : Path
         PNG file.
+    eye : (float, float, float)
+        Direction from the model to the eye.
 
     Raises
     ------
@@ -63,7 +69,7 @@ def render(
         with _scene("Curvature Picture", size) as scene:
             for obj in objects:
                 scene.collection.objects.link(obj)
-            _aim_camera(scene, objects, key.shape[1] + margin)
+            _aim_camera(scene, objects, eye, key.shape[1] + margin if legend else 0)
             _shade_model(scene)
             picture = _render(scene, temporary)
         pixels = _over(np.array([*_BACKGROUND, 1.0]), picture)
@@ -121,11 +127,12 @@ def _shade_model(scene: Scene) -> None:
     shading.show_specular_highlight = False
 
 
-def _aim_camera(scene: Scene, objects: list[Object], reserved: int) -> None:
+def _aim_camera(scene: Scene, objects: list[Object], eye: Direction, reserved: int) -> None:
     """Let the camera see the objects, right of so many columns of pixels."""
     points = np.concatenate([_world_positions(obj) for obj in objects])
-    back = _EYE / np.linalg.norm(_EYE)
-    right = np.cross([0.0, 0.0, 1.0], back)
+    back = np.array(eye) / np.linalg.norm(eye)
+    # Seen straight from above, the picture's upper side is the model's back.
+    right = np.cross([0.0, 0.0, 1.0], back) if any(eye[:2]) else np.array([1.0, 0.0, 0.0])
     right /= np.linalg.norm(right)
     axes = np.stack([right, np.cross(back, right), back], axis=1)
     seen = points @ axes

@@ -20,7 +20,8 @@ from ..geometry.errors import CurvatureError
 from ..overlay.content import legend_of
 from ..report.document import json_text
 from ..report.files import FileRefusedError, write_report
-from ..reporting import document_of, merge_settings, scene_document, shares_text
+from ..report.html import Picture
+from ..reporting import css_colors, document_of, report_pictures, merge_settings, scene_document, shares_text
 from .arguments import PROGRAM, parse_arguments
 from .outputs import Outputs, plan_outputs
 from .streams import Console, console, silent_importers
@@ -53,21 +54,24 @@ def _run(options: Namespace, screen: Console) -> int:
     except FileRefusedError as error:
         screen.error(f"{PROGRAM}: {error}")
         return 1
-    documents, failures = [], 0
+    documents: list[dict[str, Any]] = []
+    pictures: list[Picture] = []
+    failures = 0
     for number, (model, files) in enumerate(zip(options.models, outputs, strict=True), 1):
         screen.progress(f"[{number}/{len(options.models)}] {model}")
         try:
-            document, refused = _segment_model(model, files, options, screen)
+            document, shown, refused = _segment_model(model, files, options, screen)
         except (CurvatureError, FileRefusedError, importing.ImportRefusedError) as error:
             screen.error(f"{PROGRAM}: {model}: {error}")
             failures += 1
             continue
         documents.append(document)
+        pictures += shown
         for sentence in refused:
             screen.error(f"{PROGRAM}: {model}: {sentence}")
         failures += bool(refused)
     if documents:
-        failures += _deliver(_join(documents), options, screen)
+        failures += _deliver(_join(documents), pictures, options, screen)
     if len(options.models) > 1:
         done = len(options.models) - min(failures, len(options.models))
         screen.progress(f"{done} of {len(options.models)} models done")
@@ -76,10 +80,16 @@ def _run(options: Namespace, screen: Console) -> int:
 
 def _segment_model(
     model: Path, files: Outputs, options: Namespace, screen: Console
+<<<<<<< HEAD
 ) -> tuple[dict[str, Any], list[str]]:
     """Segment one model and write its files; return its report and what was refused in it."""
     with silent_importers():
         objects = importing.load_model(bpy.context, model, options.up)
+=======
+) -> tuple[dict[str, Any], list[Picture], list[str]]:
+    """Segment one model and write its files; return its report, its pictures and refusals."""
+    objects = importing.load_model(bpy.context, model, options.up)
+>>>>>>> e6c3c4b (Write reports as one HTML page with pictures, histograms and tables)
     context = bpy.context
     _apply_settings(options)
     outcome = tasks.segment_objects(
@@ -108,7 +118,8 @@ def _segment_model(
     if not options.json:
         for carrier in outcome.carriers:
             screen.result(_result_line(model, carrier))
-    return document, outcome.refused
+    pictures = report_pictures(context, outcome.carriers, options.report) if options.report else []
+    return document, pictures, outcome.refused
 
 
 def _apply_settings(options: Namespace) -> None:
@@ -149,14 +160,16 @@ def _join(documents: list[dict[str, Any]]) -> dict[str, Any]:
     )
 
 
-def _deliver(document: dict[str, Any], options: Namespace, screen: Console) -> int:
+def _deliver(
+    document: dict[str, Any], pictures: list[Picture], options: Namespace, screen: Console
+) -> int:
     """Write the report; return how many failures that brought."""
     if options.json:
         screen.result(json_text(document).rstrip())
     if options.report is None:
         return 0
     try:
-        write_report(options.report, document)
+        write_report(options.report, document, pictures, css_colors(bpy.context))
     except FileRefusedError as error:
         screen.error(f"{PROGRAM}: {error}")
         return 1

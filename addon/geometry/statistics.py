@@ -90,6 +90,29 @@ def summarize(values: Floats, weights: Floats) -> Summary | None:
     )
 
 
+def area_histogram(
+    values: Floats, areas: Floats, last: float, bars: int
+) -> tuple[list[float], list[float]]:
+    """Return how much area has which value, from 0 to a last value.
+
+    Parameters
+    ----------
+    values, areas : (n,) float64
+        Values are not negative.
+    last : float
+        Upper end of the last bar, which holds all values beyond it as well.
+    bars : int
+
+    Returns
+    -------
+    edges : list of bars + 1 float
+    areas : list of float
+    """
+    edges = np.linspace(0.0, last, bars + 1)
+    counts, _ = np.histogram(np.minimum(values, last), edges, weights=areas)
+    return edges.tolist(), counts.tolist()
+
+
 def smallest_radius(curvature_size: Floats, areas: Floats) -> float | None:
     """Return the radius that 99 % of the area does not fall below.
 

@@ -45,6 +45,12 @@ def legend_of(scene: Scene, active: Object | None) -> Legend | None:
     return _class_key(scene, objects) if settings.quantity == "CLASS" else _region_key(objects[0])
 
 
+def class_legend(scene: Scene, objects: list[Object]) -> Legend | None:
+    """Return the key of the classes of some objects, whatever is shown; None without classes."""
+    segmented = [obj for obj in objects if obj.data.curvature.is_segmented]
+    return _class_key(scene, segmented) if segmented else None
+
+
 def tolerance_notes(scene: Scene, obj: Object) -> tuple[str, ...]:
     """Return the tolerance of an object's classes in words."""
     results = obj.data.curvature

@@ -6,16 +6,15 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from .document import csv_text, json_text
+from .html import Picture, html_text
 
-_WRITERS = {".json": json_text, ".csv": csv_text}
-
-FORMATS = tuple(_WRITERS)
+FORMATS = (".json", ".csv", ".html")
 """File endings that reports can have."""
 
 
@@ -23,17 +22,36 @@ class FileRefusedError(OSError):
     """A file cannot be written; the message names it, the cause and the way out."""
 
 
-def write_report(path: Path, document: dict[str, Any]) -> None:
+def write_report(
+    path: Path,
+    document: dict[str, Any],
+    pictures: Sequence[Picture] = (),
+    colors: Mapping[str, str] | None = None,
+) -> None:
     """Write a report in the format that the ending of its file name stands for.
+
+    Parameters
+    ----------
+    path : Path
+    document : dict
+        See `build_document`.
+    pictures : sequence of Picture
+        For HTML; the other formats are figures only.
+    colors : mapping, optional
+        CSS colors of the classes by their keys in reports, for HTML.
 
     Raises
     ------
     FileRefusedError
         If the ending is not known or the folder cannot be written to.
     """
-    text = _WRITERS[check_format(path)](document)
+    ending = check_format(path)
+    if ending == ".html":
+        text = html_text(document, pictures, colors)
+    else:
+        text = json_text(document) if ending == ".json" else csv_text(document)
     # The signature lets spreadsheets read the file as UTF-8; JSON must not have one.
-    encoding = "utf-8-sig" if path.suffix.lower() == ".csv" else "utf-8"
+    encoding = "utf-8-sig" if ending == ".csv" else "utf-8"
     with written_whole(path) as temporary:
         temporary.write_bytes(text.encode(encoding))
 
@@ -41,9 +59,10 @@ def write_report(path: Path, document: dict[str, Any]) -> None:
 def check_format(path: Path) -> str:
     """Return the ending of a report's name in lower case, or refuse it."""
     ending = path.suffix.lower()
-    if ending not in _WRITERS:
+    if ending not in FORMATS:
         raise FileRefusedError(
-            f"{path.name}: reports end in {' or '.join(FORMATS)}, not in '{path.suffix}'"
+            f"{path.name}: reports end in {', '.join(FORMATS[:-1])} or {FORMATS[-1]}, "
+            f"not in '{path.suffix}'"
         )
     return ending
 

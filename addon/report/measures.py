@@ -7,10 +7,16 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Any
 
+import numpy as np
+
 from ..geometry.analysis import Analysis
 from ..geometry.classification import SurfaceClass
 from ..geometry.segmentation import Segmentation
-from ..geometry.statistics import summarize
+from ..geometry.statistics import area_histogram, summarize
+
+_HISTOGRAM_BARS = 40
+#: Histograms end at this many curvature limits.
+_HISTOGRAM_LIMITS = 10.0
 
 CLASS_KEYS = {
     SurfaceClass.FLAT: "flat",
@@ -55,7 +61,23 @@ def measure_object(analysis: Analysis, segmentation: Segmentation | None = None)
         block[key] = asdict(summary) if summary else None
     if segmentation is not None:
         block |= _segmentation_block(segmentation)
+        block["histograms"] = _histograms(analysis, segmentation.tolerance.curvature_limit)
     return block
+
+
+def _histograms(analysis: Analysis, limit: float) -> dict[str, Any]:
+    """Return the area by absolute curvature of the faces, up to several times the limit."""
+    curvature = analysis.curvature
+    areas = analysis.surface.polygon_area * curvature.is_face_defined
+    sizes = np.abs([curvature.face_k1, curvature.face_k2])
+    larger, smaller = (
+        area_histogram(size, areas, _HISTOGRAM_LIMITS * limit, _HISTOGRAM_BARS)
+        for size in (sizes.max(axis=0), sizes.min(axis=0))
+    )
+    return {
+        "larger": {"edges": larger[0], "areas": larger[1]},
+        "smaller": {"edges": smaller[0], "areas": smaller[1]},
+    }
 
 
 def _segmentation_block(segmentation: Segmentation) -> dict[str, Any]:
