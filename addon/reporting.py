@@ -15,6 +15,7 @@ from .bridge import results
 from .bridge.display import class_colors
 from .bridge.mode import object_mode
 from .bridge.numbers import as_typed
+from .bridge.report_pictures import four_sides
 from .geometry.classification import SurfaceClass
 from .geometry.display.colormap import srgb_from_linear
 from .geometry.display.palette import CLASS_NAMES
