@@ -91,8 +91,8 @@ def report_pictures(context: Context, carriers: list[Object], path: Path) -> lis
 def css_colors(context: Context) -> dict[str, str]:
     """Return the colors that the user gave to the classes, as HTML reports take them."""
     return {
-        CLASS_KEYS[surface_class]: "#%02x%02x%02x"
-        % tuple(round(255 * float(part)) for part in srgb_from_linear(np.array(color)))
+        CLASS_KEYS[surface_class]: "#"
+        + "".join(f"{round(255 * part):02x}" for part in srgb_from_linear(np.array(color)).tolist())
         for surface_class, color in class_colors(context.scene.curvature).items()
     }
 

@@ -21,7 +21,14 @@ from ..overlay.content import legend_of
 from ..report.document import json_text
 from ..report.files import FileRefusedError, write_report
 from ..report.html import Picture
-from ..reporting import css_colors, document_of, report_pictures, merge_settings, scene_document, shares_text
+from ..reporting import (
+    css_colors,
+    document_of,
+    merge_settings,
+    report_pictures,
+    scene_document,
+    shares_text,
+)
 from .arguments import PROGRAM, parse_arguments
 from .outputs import Outputs, plan_outputs
 from .streams import Console, console, silent_importers

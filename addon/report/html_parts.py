@@ -12,7 +12,8 @@ STYLE = """
 :root{color-scheme:light}
 body{margin:0;background:#f5f5f3;color:#222;font:15px/1.5 system-ui,'Segoe UI',Helvetica,sans-serif}
 main{max-width:1080px;margin:0 auto;padding:32px 24px 64px}
-h1{font-size:28px;margin:0 0 4px}h2{font-size:21px;margin:0 0 4px}h3{font-size:16px;margin:28px 0 6px}
+h1{font-size:28px;margin:0 0 4px}h2{font-size:21px;margin:0 0 4px}
+h3{font-size:16px;margin:28px 0 6px}
 section{background:#fff;border:1px solid #e2e2de;border-radius:8px;padding:20px 24px;margin:20px 0}
 .pictures{display:grid;grid-template-columns:1fr 1fr;gap:14px;padding:14px}
 figure{margin:0}figure img{width:100%;border-radius:4px;display:block}
@@ -72,7 +73,8 @@ def histogram_svg(title: str, histogram: dict[str, Any], limit: float) -> str:
     )
     ground = _TOP + plot_height
     marks = "".join(
-        f"<text x='{across(value):.1f}' y='{ground + 15:.1f}' text-anchor='middle'>{value:.3g}</text>"
+        f"<text x='{across(value):.1f}' y='{ground + 15:.1f}' text-anchor='middle'>"
+        f"{value:.3g}</text>"
         for value in (edges[0] + span * step / 4.0 for step in range(5))
     )
     line = (
