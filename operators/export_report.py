@@ -21,7 +21,10 @@ class CURVATURE_OT_export_report(Operator):
 
     bl_idname = "curvature.export_report"
     bl_label = "Export Report"
-    bl_description = "Write areas, shares, radii and statistics of the selected meshes to an HTML, JSON or CSV file"
+    bl_description = (
+        "Write areas, shares, radii and statistics of the selected meshes "
+        "to an HTML, JSON or CSV file"
+    )
     # No UNDO: the operator changes a file, nothing in Blender.
     bl_options = {"REGISTER"}
 

@@ -5,10 +5,11 @@
 from __future__ import annotations
 
 import json
+import math
 from typing import Any
 
 import numpy as np
-from bpy.types import Mesh, Object
+from bpy.types import Mesh, Object, bpy_prop_collection
 
 from ..geometry.analysis import Analysis
 from ..geometry.classification import SurfaceClass, classify
@@ -16,7 +17,7 @@ from ..geometry.segmentation import Segmentation
 from ..geometry.settings import AnalysisSettings, Smoothing
 from ..geometry.tolerance import Tolerance
 from ..geometry.types import AnyArray, Floats
-from ..report.measures import measure_object
+from ..report.measures import CLASS_KEYS, measure_object
 from . import names
 from .attributes import remove_attributes, write_attribute
 from .numbers import as_typed, as_typed_angle
@@ -100,6 +101,7 @@ def write_segmentation(subject: Subject, carrier: Object, segmentation: Segmenta
     mesh, results = carrier.data, carrier.data.curvature
     write_attribute(mesh, names.FACE_CLASS, "FACE", "INT", segmentation.face_class)
     write_attribute(mesh, names.REGION, "FACE", "INT", segmentation.regions.face_region)
+    _keep_previous(mesh, {kind: each.area for kind, each in segmentation.classes.items()})
     results.is_segmented = True
     results.panel_size = segmentation.tolerance.panel_size
     results.deviation = segmentation.tolerance.deviation
@@ -112,7 +114,23 @@ def write_segmentation(subject: Subject, carrier: Object, segmentation: Segmenta
         row.faces, row.regions = measure.faces, measure.regions
         row.min_radius = measure.min_radius or 0.0
     _write_regions(mesh, segmentation)
-    _write_summary(mesh, subject, measure_object(subject.analysis, segmentation))
+    block = measure_object(subject.analysis, segmentation)
+    _write_summary(mesh, subject, block | _comparison(mesh))
+
+
+def class_changes(mesh: Mesh) -> list[tuple[SurfaceClass, float, float]]:
+    """Return class, area before and area now in m², of the classes that changed.
+
+    Empty where there was no segmentation before, or nothing has changed since.
+    """
+    before, now = _areas(mesh.curvature.previous), _areas(mesh.curvature.classes)
+    if not before or not now:
+        return []
+    return [
+        (kind, before.get(kind, 0.0), area)
+        for kind, area in now.items()
+        if not math.isclose(area, before.get(kind, 0.0), rel_tol=1e-6, abs_tol=1e-12)
+    ]
 
 
 def read_report(obj: Object) -> dict[str, Any] | None:
@@ -128,12 +146,45 @@ def clear_results(mesh: Mesh) -> bool:
     had_results = bool(removed or results.fingerprint)
     results.fingerprint = results.report = ""
     _forget_classes(mesh)
+    results.previous.clear()
     results.warnings.clear()
     return had_results
 
 
+def _comparison(mesh: Mesh) -> dict[str, Any]:
+    """Return the changes since the segmentation before as reports have them."""
+    changes = class_changes(mesh)
+    if not changes:
+        return {}
+    return {
+        "comparison": {
+            CLASS_KEYS[kind]: {"before": before, "after": after} for kind, before, after in changes
+        }
+    }
+
+
+def _keep_previous(mesh: Mesh, areas: dict[SurfaceClass, float]) -> None:
+    """Keep the classes at hand for comparison, unless the new ones are the same."""
+    results = mesh.curvature
+    at_hand = _areas(results.classes)
+    if not at_hand or all(
+        math.isclose(at_hand.get(kind, 0.0), area, rel_tol=1e-6, abs_tol=1e-12)
+        for kind, area in areas.items()
+    ):
+        return
+    results.previous.clear()
+    for kind, area in at_hand.items():
+        row = results.previous.add()
+        row.surface_class, row.area = kind.name, area
+
+
+def _areas(rows: bpy_prop_collection) -> dict[SurfaceClass, float]:
+    return {SurfaceClass[row.surface_class]: row.area for row in rows}
+
+
 def _forget_classes(mesh: Mesh) -> None:
     results = mesh.curvature
+    _keep_previous(mesh, {})
     results.is_segmented = False
     results.region_count = 0
     results.classes.clear()

@@ -7,6 +7,7 @@ from __future__ import annotations
 import bpy
 
 from .analysis import CURVATURE_PT_analysis
+from .changes import CURVATURE_PT_changes
 from .results import CURVATURE_PT_results
 from .segmentation import CURVATURE_PT_segmentation
 from .warnings import CURVATURE_PT_warnings
@@ -15,6 +16,7 @@ register, unregister = bpy.utils.register_classes_factory(
     (
         CURVATURE_PT_segmentation,
         CURVATURE_PT_results,
+        CURVATURE_PT_changes,
         CURVATURE_PT_analysis,
         CURVATURE_PT_warnings,
     )

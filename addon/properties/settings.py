@@ -207,3 +207,136 @@ class CURVATURE_PG_settings(PropertyGroup):
     color_elliptic: _color(SurfaceClass.ELLIPTIC)
     color_hyperbolic: _color(SurfaceClass.HYPERBOLIC)
     color_undefined: _color(SurfaceClass.UNDEFINED)
+<<<<<<< HEAD:addon/properties/settings.py
+=======
+
+
+class CURVATURE_PG_warning(PropertyGroup):
+    """One sentence about what is unsound."""
+
+    text: StringProperty(name="Text", description="What is wrong, where, and what to do")
+
+
+class CURVATURE_PG_class(PropertyGroup):
+    """How much of the mesh belongs to one class."""
+
+    surface_class: EnumProperty(
+        name="Class", description="Class that the measures are of", items=CLASS_ITEMS
+    )
+    area: FloatProperty(name="Area", description="Area of the faces in m²")
+    share: FloatProperty(name="Share", description="Share of the whole area, 0 to 1")
+    faces: IntProperty(name="Faces", description="Number of faces")
+    regions: IntProperty(name="Regions", description="Number of connected areas")
+    min_radius: FloatProperty(
+        name="Smallest Radius",
+        description="Radius in meters that 99 % of the area does not fall below; 0 if flat",
+    )
+
+
+class CURVATURE_PG_region(PropertyGroup):
+    """One connected area of a class."""
+
+    surface_class: EnumProperty(
+        name="Class", description="Class of the region's faces", items=CLASS_ITEMS
+    )
+    area: FloatProperty(name="Area", description="Area of the faces in m²")
+    min_radius: FloatProperty(
+        name="Smallest Radius",
+        description="Radius in meters that 99 % of the area does not fall below; 0 if flat",
+    )
+
+
+class CURVATURE_PG_results(PropertyGroup):
+    """Results that a mesh carries beside its attributes; empty where nothing was analyzed."""
+
+    fingerprint: StringProperty(
+        name="Fingerprint", description="Tells whether the model has changed since its analysis"
+    )
+    crease_angle: FloatProperty(
+        name="Crease Angle", description="Crease angle used, in radians", subtype="ANGLE"
+    )
+    flip_normals: BoolProperty(name="Flip Normals", description="Whether signs were flipped")
+    smoothing: EnumProperty(name="Smoothing", description="Smoothing used", items=SMOOTHING_ITEMS)
+    smoothing_length: FloatProperty(
+        name="Smoothing Length", description="Smoothing length used, in meters"
+    )
+    is_segmented: BoolProperty(
+        name="Segmented", description="Whether the faces have classes and regions"
+    )
+    panel_size: FloatProperty(name="Panel Size", description="Panel size used, in meters")
+    deviation: FloatProperty(name="Deviation", description="Deviation used, in meters")
+    curvature_limit: FloatProperty(
+        name="Curvature Limit", description="Curvature in 1/m up to which panels count as straight"
+    )
+    classes: CollectionProperty(
+        type=CURVATURE_PG_class, name="Classes", description="Measures of every class"
+    )
+    previous: CollectionProperty(
+        type=CURVATURE_PG_class,
+        name="Previous Classes",
+        description="Measures of every class before the model or its tolerance was changed",
+    )
+    regions: CollectionProperty(
+        type=CURVATURE_PG_region, name="Regions", description="The largest regions, by area"
+    )
+    region_count: IntProperty(name="Region Count", description="Number of all regions")
+    warnings: CollectionProperty(
+        type=CURVATURE_PG_warning, name="Warnings", description="What is unsound about the model"
+    )
+    report: StringProperty(
+        name="Report", description="Everything measured, as the JSON that reports are made of"
+    )
+
+
+class CURVATURE_PG_slot(PropertyGroup):
+    """A material slot as it was before the curvature colors took its place."""
+
+    link: StringProperty(name="Link", description="Whether the mesh or the object had the material")
+    material: PointerProperty(
+        type=bpy.types.Material, name="Material", description="Material of the object's slot"
+    )
+
+
+class CURVATURE_PG_object(PropertyGroup):
+    """What an object has to do with curvature."""
+
+    source: PointerProperty(
+        type=Object,
+        name="Source",
+        description="Object whose modified geometry this object carries the results of",
+    )
+    slots: CollectionProperty(
+        type=CURVATURE_PG_slot, name="Slots", description="Materials to bring back"
+    )
+    has_material: BoolProperty(
+        name="Has Curvature Material", description="Whether the slots show curvature colors"
+    )
+
+
+_CLASSES = (
+    CURVATURE_PG_settings,
+    CURVATURE_PG_warning,
+    CURVATURE_PG_class,
+    CURVATURE_PG_region,
+    CURVATURE_PG_results,
+    CURVATURE_PG_slot,
+    CURVATURE_PG_object,
+)
+_register_classes, _unregister_classes = bpy.utils.register_classes_factory(_CLASSES)
+
+
+def register() -> None:
+    """Add the properties to scenes, meshes and objects."""
+    _register_classes()
+    bpy.types.Scene.curvature = PointerProperty(type=CURVATURE_PG_settings)
+    bpy.types.Mesh.curvature = PointerProperty(type=CURVATURE_PG_results)
+    bpy.types.Object.curvature = PointerProperty(type=CURVATURE_PG_object)
+
+
+def unregister() -> None:
+    """Take the properties away again."""
+    del bpy.types.Object.curvature
+    del bpy.types.Mesh.curvature
+    del bpy.types.Scene.curvature
+    _unregister_classes()
+>>>>>>> 19bda3e (Show what changed since the segmentation before):addon/properties.py
