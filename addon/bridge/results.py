@@ -167,9 +167,12 @@ def _keep_previous(mesh: Mesh, areas: dict[SurfaceClass, float]) -> None:
     """Keep the classes at hand for comparison, unless the new ones are the same."""
     results = mesh.curvature
     at_hand = _areas(results.classes)
-    if not at_hand or all(
-        math.isclose(at_hand.get(kind, 0.0), area, rel_tol=1e-6, abs_tol=1e-12)
-        for kind, area in areas.items()
+    if not at_hand or (
+        areas
+        and all(
+            math.isclose(at_hand.get(kind, 0.0), area, rel_tol=1e-6, abs_tol=1e-12)
+            for kind, area in areas.items()
+        )
     ):
         return
     results.previous.clear()

@@ -8,6 +8,7 @@ import bpy
 
 from .analysis import CURVATURE_PT_analysis
 from .changes import CURVATURE_PT_changes
+from .delivery import CURVATURE_PT_delivery
 from .results import CURVATURE_PT_results
 from .segmentation import CURVATURE_PT_segmentation
 from .warnings import CURVATURE_PT_warnings
@@ -17,6 +18,7 @@ register, unregister = bpy.utils.register_classes_factory(
         CURVATURE_PT_segmentation,
         CURVATURE_PT_results,
         CURVATURE_PT_changes,
+        CURVATURE_PT_delivery,
         CURVATURE_PT_analysis,
         CURVATURE_PT_warnings,
     )
