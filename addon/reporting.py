@@ -18,8 +18,8 @@ from .bridge.numbers import as_typed
 from .bridge.report_pictures import four_sides
 from .geometry.classification import SurfaceClass
 from .geometry.display.colormap import srgb_from_linear
+from .geometry.display.legend import Legend
 from .geometry.display.palette import CLASS_NAMES
-from .overlay.content import class_legend
 from .report.document import build_document
 from .report.html import Picture
 from .report.measures import CLASS_KEYS
@@ -73,8 +73,24 @@ def scene_document(context: Context, carriers: list[Object], source: str) -> dic
     return document_of(objects, used_settings(context, carriers, objects))
 
 
-def report_pictures(context: Context, carriers: list[Object], path: Path) -> list[Picture]:
+def report_pictures(
+    context: Context, carriers: list[Object], legend: Legend | None, path: Path
+) -> list[Picture]:
     """Return the pictures that a report of this name shows: none but in HTML.
+
+    Parameters
+    ----------
+    context : Context
+    carriers : list of Object
+        Objects with results.
+    legend : Legend, optional
+        Key of the colors, for the first picture.
+    path : Path
+        Where the report goes.
+
+    Returns
+    -------
+    list of Picture
 
     Raises
     ------
@@ -83,7 +99,6 @@ def report_pictures(context: Context, carriers: list[Object], path: Path) -> lis
     """
     if path.suffix.lower() != ".html":
         return []
-    legend = class_legend(context.scene, carriers)
     with object_mode(context):
         return four_sides(carriers, legend)
 

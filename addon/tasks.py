@@ -12,6 +12,7 @@ from bpy.types import Context, Object
 from .bridge import display, results
 from .bridge.material import show as show_material
 from .bridge.mode import object_mode
+from .bridge.separation import discard_parts
 from .bridge.subject import (
     Subject,
     discard_carrier,
@@ -196,5 +197,6 @@ def _clear(context: Context, obj: Object) -> bool:
     for user in users_of(source.data):
         show_material(user, False)
     had_results = results.clear_results(source.data) if source.data.library is None else False
+    had_parts = discard_parts(source)
     had_copy = discard_carrier(context, source)
-    return had_results or had_copy
+    return had_results or had_parts or had_copy

@@ -12,6 +12,7 @@ from bpy.types import Context, Event, Operator
 
 from ..addon import polls
 from ..addon.bridge.subject import carrier_of, selected_subjects
+from ..addon.overlay.content import class_legend
 from ..addon.report.files import FORMATS, FileRefusedError, check_format, write_report
 from ..addon.reporting import css_colors, report_pictures, scene_document
 
@@ -70,7 +71,9 @@ class CURVATURE_OT_export_report(Operator):
         path = Path(bpy.path.abspath(self.filepath))
         try:
             check_format(path)
-            pictures = report_pictures(context, carriers, path)
+            pictures = report_pictures(
+                context, carriers, class_legend(context.scene, carriers), path
+            )
             document = scene_document(context, carriers, bpy.data.filepath)
             write_report(path, document, pictures, css_colors(context))
         except FileRefusedError as error:

@@ -13,7 +13,7 @@ from ..geometry.display.palette import CLASS_NAMES
 from ..geometry.types import Flags
 from . import names
 from .attributes import read_attribute
-from .collection import link_beside
+from .collection import link_beside, own_collections, remove_if_empty
 from .mesh import read_array
 from .subject import source_of
 
@@ -39,7 +39,7 @@ def separate(carrier: Object, scene: Scene, by_region: bool) -> list[Object]:
     labels = read_attribute(carrier.data, names.REGION if by_region else names.FACE_CLASS)
     if labels is None:
         return []
-    _remove_earlier(source)
+    discard_parts(source)
     made = []
     for label in np.unique(labels[labels >= 0]).tolist():
         part = f"Region {label + 1}" if by_region else CLASS_NAMES[SurfaceClass(label)]
@@ -52,12 +52,17 @@ def separate(carrier: Object, scene: Scene, by_region: bool) -> list[Object]:
     return made
 
 
-def _remove_earlier(source: Object) -> None:
-    for obj in [each for each in bpy.data.objects if each.curvature.part_of == source]:
+def discard_parts(source: Object) -> bool:
+    """Remove the objects that were made of a source's parts; return whether there were any."""
+    parts = [each for each in bpy.data.objects if each.curvature.part_of == source]
+    homes = {home for part in parts for home in own_collections(part)}
+    for obj in parts:
         mesh = obj.data
         bpy.data.objects.remove(obj)
         if not mesh.users:
             bpy.data.meshes.remove(mesh)
+    remove_if_empty(source, list(homes))
+    return bool(parts)
 
 
 def _part_of(mesh: Mesh, is_wanted: Flags, name: str) -> Mesh:

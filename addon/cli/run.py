@@ -17,7 +17,7 @@ from .. import tasks
 from ..bridge import importing, picture, results, saving, viewport
 from ..choices import analysis_settings, segmentation_settings
 from ..geometry.errors import CurvatureError
-from ..overlay.content import legend_of
+from ..overlay.content import class_legend, legend_of
 from ..report.document import json_text
 from ..report.files import FileRefusedError, write_report
 from ..report.html import Picture
@@ -87,16 +87,10 @@ def _run(options: Namespace, screen: Console) -> int:
 
 def _segment_model(
     model: Path, files: Outputs, options: Namespace, screen: Console
-<<<<<<< HEAD
-) -> tuple[dict[str, Any], list[str]]:
-    """Segment one model and write its files; return its report and what was refused in it."""
-    with silent_importers():
-        objects = importing.load_model(bpy.context, model, options.up)
-=======
 ) -> tuple[dict[str, Any], list[Picture], list[str]]:
     """Segment one model and write its files; return its report, its pictures and refusals."""
-    objects = importing.load_model(bpy.context, model, options.up)
->>>>>>> e6c3c4b (Write reports as one HTML page with pictures, histograms and tables)
+    with silent_importers():
+        objects = importing.load_model(bpy.context, model, options.up)
     context = bpy.context
     _apply_settings(options)
     outcome = tasks.segment_objects(
@@ -125,7 +119,10 @@ def _segment_model(
     if not options.json:
         for carrier in outcome.carriers:
             screen.result(_result_line(model, carrier))
-    pictures = report_pictures(context, outcome.carriers, options.report) if options.report else []
+    pictures = []
+    if options.report:
+        key = class_legend(context.scene, outcome.carriers)
+        pictures = report_pictures(context, outcome.carriers, key, options.report)
     return document, pictures, outcome.refused
 
 

@@ -26,6 +26,11 @@ class CURVATURE_PG_object(PropertyGroup):
         name="Source",
         description="Object whose modified geometry this object carries the results of",
     )
+    part_of: PointerProperty(
+        type=Object,
+        name="Part Of",
+        description="Object whose class or region this object was made of",
+    )
     slots: CollectionProperty(
         type=CURVATURE_PG_slot, name="Slots", description="Materials to bring back"
     )

@@ -77,6 +77,11 @@ class CURVATURE_PG_results(PropertyGroup):
     classes: CollectionProperty(
         type=CURVATURE_PG_class, name="Classes", description="Measures of every class"
     )
+    previous: CollectionProperty(
+        type=CURVATURE_PG_class,
+        name="Previous Classes",
+        description="Measures of every class before the model or its tolerance was changed",
+    )
     regions: CollectionProperty(
         type=CURVATURE_PG_region, name="Regions", description="The largest regions, by area"
     )
