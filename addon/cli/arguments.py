@@ -78,7 +78,7 @@ def _add_outputs(parser: argparse.ArgumentParser) -> None:
         "--output", type=Path, metavar="OUT.blend", help="Blender file with the results"
     )
     parser.add_argument(
-        "--report", type=Path, metavar="OUT.json", help="report on all models, .json or .csv"
+        "--report", type=Path, metavar="OUT.json", help="report on all models: .html, .json or .csv"
     )
     parser.add_argument(
         "--image", type=Path, metavar="OUT.png", help="picture of the model with its legend"

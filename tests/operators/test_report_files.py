@@ -72,7 +72,7 @@ def test_ending_may_be_in_capitals(tmp_path: Path) -> None:
 def test_other_endings_are_refused(name: str, tmp_path: Path, run: Callable[..., Any]) -> None:
     result, message = run("export_report", filepath=str(tmp_path / name))
     assert result == {"CANCELLED"}
-    assert message.startswith(f"Error: {name}: reports end in .json or .csv")
+    assert message.startswith(f"Error: {name}: reports end in .json, .csv or .html")
     assert not list(tmp_path.iterdir())
 
 

@@ -32,7 +32,7 @@ def test_the_ending_chooses_the_format(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", ["report.txt", "report", "report.json.bak"])
 def test_unknown_endings_are_refused_with_the_known_ones(tmp_path: Path, name: str) -> None:
-    with pytest.raises(FileRefusedError, match=r"reports end in \.json or \.csv, not in"):
+    with pytest.raises(FileRefusedError, match=r"reports end in \.json, \.csv or \.html, not in"):
         write_report(tmp_path / name, DOCUMENT)
     assert not list(tmp_path.iterdir())
 
