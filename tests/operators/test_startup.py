@@ -75,8 +75,8 @@ def test_analysis_loads_the_libraries(extension: str) -> None:
     """Else the two tests above would prove nothing."""
     # scipy serves every analysis, libigl those of faces that point to opposite sides.
     do = (
-        "bpy.ops.mesh.primitive_uv_sphere_add(); bpy.context.object.data.polygons[40].flip(); "
-        "bpy.ops.curvature.analyze()"
+        "bpy.ops.mesh.primitive_uv_sphere_add(); mesh = bpy.context.object.data; "
+        "mesh.polygons[40].flip(); mesh.update(); bpy.ops.curvature.analyze()"
     )
     modules = _session(extension, do=do)
     assert set(_HEAVY) <= set(modules)
