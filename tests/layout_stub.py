@@ -44,6 +44,13 @@ class Layout:
         getattr(owner, name)
         self.properties.append(name)
 
+    def operator_enum(self, name: str, prop: str) -> None:
+        """Keep the name of an operator, which must exist with an enumeration of this name."""
+        module, function = name.split(".")
+        known = getattr(getattr(bpy.ops, module), function).get_rna_type().properties
+        assert known[prop].type == "ENUM"
+        self.operators.append(name)
+
     def operator(self, name: str, *, icon: str = "NONE", **_options: object) -> SimpleNamespace:
         """Keep the name of an operator, which must exist, as must the properties set on it."""
         assert icon in _ICONS, icon

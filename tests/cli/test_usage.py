@@ -29,7 +29,10 @@ WRONG = {
     "color map": (["segment", "a.obj", "--color-map", "JET"], "invalid choice: 'JET'"),
     "range": (["segment", "a.obj", "--range", "0"], "must be greater than zero"),
     "axis": (["segment", "a.obj", "--up", "X"], "invalid choice: 'X'"),
-    "report ending": (["segment", "a.obj", "--report", "a.txt"], "must end in .json or .csv or .html"),
+    "report ending": (
+        ["segment", "a.obj", "--report", "a.txt"],
+        "must end in .json or .csv or .html",
+    ),
     "image ending": (["segment", "a.obj", "--image", "a.jpg"], "must end in .png"),
     "output ending": (["segment", "a.obj", "--output", "a.obj"], "must end in .blend"),
 }
