@@ -23,7 +23,7 @@ def write_materials(obj: Object, settings: PropertyGroup) -> None:
 
     Slots of an earlier run are used again; other slots of the mesh stay, without faces.
     """
-    mesh: Mesh = obj.data
+    mesh = obj.data
     classes = _read(mesh, names.FACE_CLASS)
     slots = np.zeros(len(SurfaceClass), dtype=np.int32)
     for kind, color in class_colors(settings).items():
@@ -46,7 +46,7 @@ def write_face_sets(obj: Object) -> None:
 
 def write_vertex_groups(obj: Object) -> None:
     """Make a vertex group of the vertices of every class, with weights of 1."""
-    mesh: Mesh = obj.data
+    mesh = obj.data
     classes = _read(mesh, names.FACE_CLASS)
     at_corner = np.repeat(classes, read_array(mesh.polygons, "loop_total", np.int32))
     vertices = read_array(mesh.loops, "vertex_index", np.int32)

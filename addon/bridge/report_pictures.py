@@ -64,5 +64,5 @@ def _class_colors(objects: list[Object]) -> Iterator[None]:
         yield
     finally:
         for obj, name in zip(objects, shown, strict=True):
-            if name in obj.data.color_attributes:
+            if name and name in obj.data.color_attributes:
                 show_color_attribute(obj.data, name)
