@@ -123,7 +123,10 @@ def estimate_curvature(
     if on_progress:
         on_progress(0.9)
     face_k1, face_k2 = polygon_curvature(
-        surface.sector_position, surface.sector_triangles, mesh.triangle_polygon, estimate
+        surface.sector_position,
+        (surface.corner_sector, mesh.polygon_start),
+        (surface.sector_triangles, mesh.triangle_polygon),
+        estimate,
     )
     is_flat_face = planar_polygons(surface)
     is_flat = sectors_of(surface, is_flat_face)

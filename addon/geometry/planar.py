@@ -9,10 +9,12 @@ import numpy as np
 from .groups import connected_groups, sum_by_group
 from .polygons import polygon_area_vectors
 from .surface import Surface
-from .types import Flags, Floats
+from .types import Flags, Floats, Indices
 
 #: A piece thinner than this share of its extent is a plane.
 _PLANARITY = 1e-6
+#: Of a plane, the sum of the polygons' area vectors is nearly as long as the sum of their lengths.
+_ALIGNED = 0.99
 
 
 def planar_polygons(surface: Surface) -> Flags:
@@ -29,32 +31,44 @@ def planar_polygons(surface: Surface) -> Flags:
     (m,) bool
     """
     mesh = surface.mesh
-    polygon = mesh.corner_polygon[surface.edges.smooth]
-    polygon_piece = connected_groups(polygon, mesh.polygon_count)
+    polygon_piece = connected_groups(mesh.corner_polygon[surface.edges.smooth], mesh.polygon_count)
     piece_count = int(polygon_piece.max()) + 1
-    piece = polygon_piece[mesh.corner_polygon]
     vector = polygon_area_vectors(mesh)
     normal = np.stack(
         [sum_by_group(polygon_piece, vector[:, axis], piece_count) for axis in range(3)], axis=1
     )
     length = np.linalg.norm(normal, axis=1)
-    normal /= np.maximum(length, np.finfo(float).tiny)[:, None]
-    position = surface.sector_position[surface.corner_sector]
-    height = np.einsum("ij,ij->i", position, normal[piece])
+    whole = sum_by_group(polygon_piece, np.linalg.norm(vector, axis=1), piece_count)
+    is_plane = (length > 0.0) & (length >= _ALIGNED * whole)
+    if is_plane.any():
+        normal /= np.where(length > 0.0, length, 1.0)[:, None]
+        is_plane &= _is_thin(surface, is_plane[polygon_piece], polygon_piece, normal)
+    return is_plane[polygon_piece]
+
+
+def _is_thin(surface: Surface, polygons: Flags, polygon_piece: Indices, normal: Floats) -> Flags:
+    """Return which pieces of chosen polygons are thin across their normals, (p,) bool."""
+    mesh = surface.mesh
+    corner = np.flatnonzero(polygons[mesh.corner_polygon])
+    piece = polygon_piece[mesh.corner_polygon[corner]]
     order = np.argsort(piece, kind="stable")
-    start = np.concatenate([[0], np.cumsum(np.bincount(piece, minlength=piece_count))[:-1]])
+    piece = piece[order]
+    start = np.flatnonzero(np.diff(piece, prepend=-1))
+    position = surface.sector_position[surface.corner_sector[corner[order]]]
+    height = np.einsum("ij,ij->i", position, normal[piece])
 
     def spread(values: Floats) -> Floats:
-        values = values[order]
         return np.maximum.reduceat(values, start) - np.minimum.reduceat(values, start)
 
     extent = np.linalg.norm([spread(position[:, axis]) for axis in range(3)], axis=0)
-    is_plane = (spread(height) <= _PLANARITY * extent + 2.0 * mesh.resolution) & (length > 0.0)
-    return is_plane[polygon_piece]
+    thin = np.zeros(len(normal), dtype=np.bool_)
+    thin[piece[start]] = spread(height) <= _PLANARITY * extent + 2.0 * mesh.resolution
+    return thin
 
 
 def sectors_of(surface: Surface, polygons: Flags) -> Flags:
     """Return the sectors at the corners of chosen polygons, (s,) bool."""
     chosen = np.zeros(surface.sector_count, dtype=np.bool_)
-    chosen[surface.corner_sector[polygons[surface.mesh.corner_polygon]]] = True
+    if polygons.any():
+        chosen[surface.corner_sector[polygons[surface.mesh.corner_polygon]]] = True
     return chosen

@@ -16,7 +16,7 @@ import numpy as np
 from ..types import AnyArray, Coordinates, Graph
 from .jet_fit import JetOptions
 from .narrow import NarrowFit, fit_into
-from .strips import Strips, strips_at, unfolded
+from .strips import Strips, strips_at
 
 #: Angle defects below this are rounding (radians).
 NO_DEFECT = 1e-5
@@ -30,6 +30,8 @@ USELESS, USELESS_RIM = 0.2, 1.0
 UNCONDITIONED = 1e5
 #: Cosine by which a strip's ruling and the straight direction of a fit of use must agree.
 ALIGNED = 0.98
+#: Folds are read where they exceed the angles of rounding by this factor.
+READABLE = 100.0
 ONE_RING = JetOptions(degree=2, falloff=0.0, ridge_low=1e-7)
 
 
@@ -61,6 +63,7 @@ def refine_developable(
     walk: Graph,
     normals: AnyArray,
     defect: AnyArray,
+    unfolded: AnyArray,
     rim: AnyArray,
     sound: AnyArray,
     tolerance: float,
@@ -72,6 +75,8 @@ def refine_developable(
 
     Parameters
     ----------
+    unfolded : (n,) bool
+        Vertices with triangles in one plane only.
     graph : sparse
         With apexes: the apex lies on the rulings of its neighbors, and helps them.
     tolerance : float
@@ -96,13 +101,11 @@ def refine_developable(
     doubtful = expected > DOUBTFUL * curvature
     chosen = flat_around & doubtful & sound
     # a fit over few positions across the rulings does not know how little it knows
-    flat = flat_around & sound & ~rim & ~chosen
-    if flat.any():
-        chosen |= flat & unfolded(coordinates, triangles, normals)
+    chosen |= flat_around & unfolded & sound & ~rim
     vertices = np.flatnonzero(chosen | (flat_around & useless & sound))
     if not len(vertices):
         return np.zeros(len(defect), bool)
-    strips = strips_at(coordinates, triangles, vertices)
+    strips = strips_at(coordinates, triangles, vertices, READABLE * tolerance)
     # where only one fold is seen, at a corner of the rim, it may be a diagonal and no ruling
     straight = np.where(
         (np.abs(fit.k1) >= np.abs(fit.k2))[:, None], fit.direction_2, fit.direction_1

@@ -11,7 +11,7 @@ import numpy as np
 from ..types import AnyArray
 from .developable import apexes, refine_developable, without
 from .jet_fit import UNDETERMINED
-from .narrow import CALIBRATION, NarrowFit, narrow_fit, pilot_fit, ring_mean
+from .narrow import CALIBRATION, NarrowFit, narrow_fit, ordinary, pilot_fit, ring_mean
 from .neighborhoods import adjacency, edges_and_rim, without_hubs
 from .normals import TriangleGeometry, angle_sums, first_normals
 from .smoothing import Choice, Narrow, choose_scale, smooth_at
@@ -24,6 +24,8 @@ SINGULAR, UNDEFINED, FALLBACK, EXACT, TRUSTED, SMOOTHED = -2, -1, 0, 1, 2, 3
 #: Noise is worth smoothing where it would change the curvature by more than this share, and where
 #: this share of the vertices says so.
 TRIGGER, COMMON = 0.003, 0.02
+#: A fit of degree 4 over two rings errs by this times the noise over the area of a vertex.
+ROUNDING_LAW = 2.3
 #: Curvatures that differ by less than this share of their size have no directions.
 UMBILIC = 1e-6
 #: A narrow fit expected to err by this share of the curvature it finds is not made at all.
@@ -109,7 +111,7 @@ def estimate_curvature(
     graph = adjacency(low, high, count)
     del low, high
     walk = without_hubs(graph)
-    normals = first_normals(geometry, count)
+    normals, unfolded = first_normals(geometry, count)
     sound = np.einsum("ij,ij->i", normals, normals) > 0.5
     angles = angle_sums(geometry, count)
     defect = np.where(rim | (angles == 0), 0.0, 2 * np.pi - angles)
@@ -123,9 +125,7 @@ def estimate_curvature(
         edge = (rim | (np.asarray(graph @ apex.astype(np.float32)) > 0)) & ~apex
     usable = sound & ~apex
     rounding = rounding_step / np.sqrt(12)
-    # rounding alone, by the law of two rings (see docs/accuracy.md): three are then worth their
-    # time
-    coarse_steps = 2.3 * rounding * extent > 6e-4 * area
+    how = ordinary(count, ROUNDING_LAW * rounding * extent / max(area, 1e-300))
     defect_without_apex = np.where(apex, 0.0, defect)
     tolerance = 8 * rounding_step / max(area, 1e-300) ** 0.5
     # the order of vertices must not matter, so neither may it for the clusters: angle sums are as
@@ -146,7 +146,7 @@ def estimate_curvature(
 
     def narrow(mask: AnyArray) -> Narrow:
         """Fit chosen vertices, store what was found and return it for the choice of scale."""
-        fit = narrow_fit(coordinates, open_graph, open_walk, normals, edge, mask, coarse_steps)
+        fit = narrow_fit(coordinates, open_graph, open_walk, normals, edge, mask, how)
         exact = refine_developable(
             fit,
             coordinates,
@@ -155,6 +155,7 @@ def estimate_curvature(
             walk,
             normals,
             defect_without_apex,
+            unfolded,
             rim,
             mask,
             tolerance,

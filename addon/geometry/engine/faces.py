@@ -15,20 +15,25 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..groups import sum_by_group
 from ..types import AnyArray, Graph
 from .estimator import Estimate
 from .normals import tangent_frame
-from .sparse import pattern
+from .sparse import compressed
 from .tensors import from_principal, to_principal
-from .turning import Turn, turn_of_polygons
+from .turning import Facets, facets_of_polygons, turn_of_polygons
 
 #: Corners that differ by more than this factor belong to different surfaces.
 SEAM = 1.8
 #: A face beside a seam turns by less than the first share of its most bent corner if it is the flat
 #: one, and by more than the second if it is the bent one.
 FLAT_SIDE, BENT_SIDE = 0.4, 0.6
-#: Corners whose normals lean from the face's by more than this cosine are turned into its plane.
-LEANING = 1 - 1e-5
+#: Polygons over which the circle of their most bent corner turns by less than this (radians) are
+#: seen by their corners without foreshortening to speak of.
+EVEN = 0.01
+#: Polygons over which the circle of their least bent corner turns by less than this are no plates
+#: between fillets (radians).
+PLATE = 0.1
 
 
 @dataclass
@@ -38,44 +43,55 @@ class _Polygons:
     Attributes
     ----------
     member : (f, n) sparse
-        1 for each corner that counts, once however its triangles lie, 0 for the others.
+        1 for each corner that counts, 0 for the others.
     total : (f,) float64
         Corners that count.
-    turn : Turn
+    least, most : (f,) float64
+        Larger absolute curvature of the flattest and of the most bent corner (1/m).
+    facets : Facets
     """
 
     member: Graph
     total: AnyArray
-    turn: Turn
+    least: AnyArray
+    most: AnyArray
+    facets: Facets
 
 
 def polygon_curvature(
-    positions: AnyArray, triangles: AnyArray, polygons: AnyArray, curvature: Estimate
+    positions: AnyArray,
+    corners: tuple[AnyArray, AnyArray],
+    triangles: tuple[AnyArray, AnyArray],
+    curvature: Estimate,
 ) -> tuple[AnyArray, AnyArray]:
     """Return k1 >= k2 of every polygon, (f,) each, in 1/m; 0 for a polygon without area.
 
     Parameters
     ----------
     positions : (s, 3) float64
-    triangles : (t, 3) int
-    polygons : (t,) int
-        The polygon of each triangle.
+    corners : (c,) int, (f + 1,) int
+        The vertex of each corner, polygon by polygon, and where polygons start.
+    triangles : (t, 3) int, (t,) int
+        The vertices of the triangles that fill the polygons, and the polygon of each.
     curvature : Estimate
         The estimate at the vertices. Singular and undefined vertices do not count.
     """
-    count = int(polygons.max(initial=-1)) + 1
-    if not count:
-        return np.zeros(0), np.zeros(0)
-    turn = turn_of_polygons(positions, triangles, polygons, count)
-    rows = np.repeat(polygons, 3)
-    member = pattern(rows, triangles.ravel(), (count, len(positions)))
-    member.sum_duplicates()
-    member.data = (curvature.quality >= 0).astype(float)[member.indices]
-    total = np.asarray(member.sum(axis=1)).ravel()
-    each = _Polygons(member, total, turn)
+    vertex, start = corners
+    facets = facets_of_polygons(positions, *triangles, len(start) - 1)
+    counts = (curvature.quality >= 0)[vertex]
+    size = np.maximum(np.abs(curvature.k1), np.abs(curvature.k2))[vertex]
+    least = np.minimum.reduceat(np.where(counts, size, np.inf), start[:-1])
+    total = np.add.reduceat(counts.astype(float), start[:-1])
+    each = _Polygons(
+        member=compressed(counts.astype(float), vertex, start, (len(start) - 1, len(positions))),
+        total=total,
+        least=np.where(total > 0, least, 0.0),
+        most=np.maximum.reduceat(np.where(counts, size, 0.0), start[:-1]),
+        facets=facets,
+    )
     k1, k2 = _mean_of_corners(each, curvature)
-    _judge_seams(each, curvature, k1, k2)
-    none = (turn.area <= 0) | (total == 0)
+    _judge_seams(each, positions, triangles, curvature, k1, k2)
+    none = (facets.area <= 0) | (total == 0)
     k1[none], k2[none] = 0.0, 0.0
     return k1, k2
 
@@ -85,73 +101,76 @@ def _mean_of_corners(each: _Polygons, curvature: Estimate) -> tuple[AnyArray, An
         curvature.k1, curvature.k2, curvature.direction_1, curvature.direction_2
     )
     mean = (each.member @ tensor.T).T / np.maximum(each.total, 1)
-    k1, k2, *_ = to_principal(mean, each.turn.normal)
+    k1, k2, *_ = to_principal(mean, each.facets.normal)
     # a tensor seen from a leaning plane is foreshortened: on coarse meshes corners are turned into
     # the face's plane first
-    owner = np.repeat(np.arange(len(k1)), np.diff(each.member.indptr))
-    corner = each.member.indices
-    facing = np.einsum("ij,ij->i", each.turn.normal[owner], curvature.normals[corner])
-    leans = (facing < LEANING) & (each.member.data > 0) & (facing > -0.5)
-    coarse = np.zeros(len(k1), bool)
-    coarse[owner[leans]] = True
-    pair = np.flatnonzero(coarse[owner] & (each.member.data > 0) & (facing > -0.5))
-    if len(pair):
-        place = np.cumsum(coarse) - 1
-        values = _turned_mean(each, curvature, owner[pair], corner[pair], facing[pair], place)
-        k1[coarse], k2[coarse] = values
+    coarse = np.flatnonzero((each.most * np.sqrt(each.facets.area) > EVEN) & (each.total > 0))
+    if len(coarse):
+        k1[coarse], k2[coarse] = _turned_mean(each, curvature, coarse)
     return k1, k2
 
 
+def _entries(each: _Polygons, polygons: AnyArray) -> tuple[AnyArray, AnyArray]:
+    """Return the place in a list of chosen polygons and the vertex of each corner that counts."""
+    rows = each.member[polygons]
+    place = np.repeat(np.arange(len(polygons)), np.diff(rows.indptr))
+    counts = rows.data > 0
+    return place[counts], rows.indices[counts]
+
+
 def _turned_mean(
-    each: _Polygons,
-    curvature: Estimate,
-    owner: AnyArray,
-    corner: AnyArray,
-    facing: AnyArray,
-    place: AnyArray,
+    each: _Polygons, curvature: Estimate, polygons: AnyArray
 ) -> tuple[AnyArray, AnyArray]:
     """Return k1, k2 of the mean of corners' tensors, each turned by the shortest way."""
-    normal = each.turn.normal[owner]
+    place, corner = _entries(each, polygons)
+    normal = each.facets.normal[polygons][place]
     first, second = tangent_frame(normal)
-    direction = curvature.direction_1[corner]
+    direction, leaning = curvature.direction_1[corner], curvature.normals[corner]
+    # a corner that looks the other way cannot be turned by the shortest way: there is none
+    facing = np.maximum(np.einsum("ij,ij->i", normal, leaning), -0.5)
     slope = np.einsum("ij,ij->i", normal, direction) / (1 + facing)
-    direction = direction - slope[:, None] * (normal + curvature.normals[corner])
+    direction = direction - slope[:, None] * (normal + leaning)
     x, y = (np.einsum("ij,ij->i", direction, axis) for axis in (first, second))
     mean, half = (0.5 * (curvature.k1 + sign * curvature.k2)[corner] for sign in (1, -1))
-    at = place[owner]
-    many = np.maximum(np.bincount(at), 1)
+    many = np.maximum(each.total[polygons], 1)
     trace, cosine, sine = (
-        np.bincount(at, values) / many
+        sum_by_group(place, values, len(polygons)) / many
         for values in (mean, half * (x * x - y * y), half * 2 * x * y)
     )
     gap = np.hypot(cosine, sine)
     return trace + gap, trace - gap
 
 
-def _judge_seams(each: _Polygons, curvature: Estimate, k1: AnyArray, k2: AnyArray) -> None:
+def _judge_seams(
+    each: _Polygons,
+    positions: AnyArray,
+    triangles: tuple[AnyArray, AnyArray],
+    curvature: Estimate,
+    k1: AnyArray,
+    k2: AnyArray,
+) -> None:
     """Overwrite the curvature of polygons beside seams by that of their own side."""
-    member, turn = each.member, each.turn
-    start = member.indptr[:-1]
-    filled = np.diff(member.indptr) > 0
-    size = np.maximum(np.abs(curvature.k1), np.abs(curvature.k2))[member.indices]
-    counts = member.data > 0
-    least, most = np.zeros(len(k1)), np.zeros(len(k1))
-    least[filled] = np.minimum.reduceat(np.where(counts, size, np.inf), start[filled])
-    most[filled] = np.maximum.reduceat(np.where(counts, size, 0.0), start[filled])
-    least[each.total == 0] = 0.0
-    t1, t2, *_ = to_principal(turn.tensor, turn.normal)
-    flatness = np.maximum(np.abs(t1), np.abs(t2))
-    many_sided = np.diff(member.indptr) > 3
-    seam = turn.is_planar & (most > SEAM * least) & (each.total > 0)
-    flat_side = seam & (flatness < FLAT_SIDE * most)
+    least, most, facets = each.least, each.most, each.facets
     # a single triangle's turn says little
+    many_sided = np.diff(each.member.indptr) > 3
+    seam = facets.is_planar & (most > SEAM * least) & (each.total > 0)
+    plate = facets.is_planar & many_sided & (least * np.sqrt(facets.area) > PLATE)
+    chosen = np.flatnonzero(seam | plate)
+    if not len(chosen):
+        return
+    tensor, is_open = turn_of_polygons(positions, *triangles, facets, chosen)
+    seam, plate, many_sided = seam[chosen], plate[chosen], many_sided[chosen]
+    least, most = least[chosen], most[chosen]
+    t1, t2, *_ = to_principal(tensor, facets.normal[chosen])
+    flatness = np.maximum(np.abs(t1), np.abs(t2))
+    place, corner = _entries(each, chosen)
+    size = np.maximum(np.abs(curvature.k1), np.abs(curvature.k2))[corner]
+    flat_side = seam & (flatness < FLAT_SIDE * most)
     bent_side = seam & many_sided & (flatness > BENT_SIDE * most)
-    owner = np.repeat(np.arange(len(k1)), np.diff(member.indptr))
     for side, extreme in ((flat_side, least), (bent_side, most)):
-        hit = side[owner] & counts & (size == extreme[owner])
-        k1[owner[hit]] = curvature.k1[member.indices[hit]]
-        k2[owner[hit]] = curvature.k2[member.indices[hit]]
+        hit = side[place] & (size == extreme[place])
+        k1[chosen[place[hit]]] = curvature.k1[corner[hit]]
+        k2[chosen[place[hit]]] = curvature.k2[corner[hit]]
     # at a rim a polygon is seen to turn at its inner sides only
-    whole = flatness * np.where(turn.is_open, 2.0, 1.0)
-    quiet = turn.is_planar & many_sided & (SEAM * whole < least)
-    k1[quiet], k2[quiet] = t1[quiet], t2[quiet]
+    quiet = plate & (SEAM * flatness * np.where(is_open, 2.0, 1.0) < least)
+    k1[chosen[quiet]], k2[chosen[quiet]] = t1[quiet], t2[quiet]

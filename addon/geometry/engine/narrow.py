@@ -18,7 +18,7 @@ from .jet_fit import UNDETERMINED, JetOptions, fit_jets, shape_operator
 from .neighborhoods import padded_table, rings
 
 #: Vertices whose rings are walked together: bounds the memory of the rows.
-ROWS = 40_000
+ROWS = 10_000
 #: Threads: more gain little, as memory is what they wait for.
 WORKERS = min(4, os.cpu_count() or 1)
 #: Table entries (neighbors times vertices) worked on at once: what stays in the processor's cache.
@@ -30,6 +30,11 @@ THREE_RINGS = (3, JetOptions(falloff=4.0, softening=0.1))
 TWO_RINGS = (2, JetOptions(falloff=3.0, softening=0.1))
 #: Where rounding is all the noise there is, a constant term and even weights suffice against it.
 ROUNDED = (3, JetOptions(constant=True, falloff=0.0))
+#: Where the mesh is so fine that rounding outweighs what a cubic leaves out, fewer unknowns help
+#: more than more points, and take a third of the time.
+VERY_ROUNDED = (2, JetOptions(degree=3, constant=True, falloff=0.0))
+#: Shares of the inverse extent from which on rounding shows, and outweighs.
+SHOWING, OUTWEIGHED = 6e-4, 6e-3
 #: Beside a rim a vertex has neighbors on one side only, on it still fewer: reach further, but look
 #: closer.
 NEAR_RIM = (3, JetOptions(falloff=5.0, softening=0.1))
@@ -126,7 +131,7 @@ def fit_into(
     def work(block: AnyArray) -> None:
         _fit_block(fit, coordinates, rings(graph, walk, block, ring), normals, block, options)
 
-    if len(blocks) < 3 or WORKERS < 2:
+    if len(blocks) < 2 or WORKERS < 2:
         for block in blocks:
             work(block)
         return
@@ -160,6 +165,24 @@ def _fit_block(
         fit.condition[centers], fit.radius[centers] = jet.condition, jet.radius
 
 
+def ordinary(count: int, rounding: float) -> tuple[int, JetOptions]:
+    """Return how to fit inside a mesh.
+
+    Parameters
+    ----------
+    count : int
+        Number of vertices.
+    rounding : float
+        Error of the curvature that rounding makes in a fit of degree 4 over two rings, as a share
+        of the inverse of the mesh's extent.
+    """
+    if rounding > OUTWEIGHED:
+        return VERY_ROUNDED
+    if rounding > SHOWING:
+        return ROUNDED
+    return THREE_RINGS if count < LARGE else TWO_RINGS
+
+
 def narrow_fit(
     coordinates: Coordinates,
     graph: Graph,
@@ -167,7 +190,7 @@ def narrow_fit(
     normals: AnyArray,
     rim: AnyArray,
     sound: AnyArray,
-    wide: bool = False,
+    how: tuple[int, JetOptions],
 ) -> NarrowFit:
     """Fit every sound vertex.
 
@@ -178,12 +201,12 @@ def narrow_fit(
         Edges with a full diagonal; the same without the hubs.
     normals : (n, 3) float64
     rim, sound : (n,) bool
-    wide : bool
-        The steps of rounding show: take three rings, evenly weighted.
+    how : (int, JetOptions)
+        Rings and fit for vertices away from rims, see `ordinary`.
     """
     fit = empty_fit(normals)
     near = (np.asarray(graph @ rim.astype(np.float32)) > 0) & ~rim
-    ring, options = ROUNDED if wide else THREE_RINGS if len(normals) < LARGE else TWO_RINGS
+    ring, options = how
 
     def run(mask: AnyArray, count: int, how: JetOptions) -> None:
         fit_into(fit, coordinates, graph, walk, normals, np.flatnonzero(mask & sound), count, how)
@@ -258,7 +281,7 @@ def pilot_fit(
         walk,
         normals,
         chosen,
-        *(THREE_RINGS if len(normals) < LARGE else TWO_RINGS),
+        *ordinary(len(normals), 0.0),
     )
     return NarrowFit(*(getattr(fit, name)[chosen] for name in NarrowFit.__dataclass_fields__))
 

@@ -6,11 +6,14 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..groups import sum_by_group
 from ..types import AnyArray, Coordinates
 
 #: A triangle flatter than this (double area over the longest squared edge) has no normal to speak
 #: of.
 FLAT_TRIANGLE = 1e-10
+#: Triangles whose normals agree to this lie in one plane (radians).
+ONE_PLANE = 3e-5
 
 
 class TriangleGeometry:
@@ -41,8 +44,8 @@ class TriangleGeometry:
         self.double_area = np.sqrt(self.cross[0] ** 2 + self.cross[1] ** 2 + self.cross[2] ** 2)
 
 
-def first_normals(geometry: TriangleGeometry, count: int) -> AnyArray:
-    """Return (n, 3) unit normals.
+def first_normals(geometry: TriangleGeometry, count: int) -> tuple[AnyArray, AnyArray]:
+    """Return (n, 3) unit normals, and which vertices have triangles in one plane only (n,) bool.
 
     Face cross products over squared edge lengths (exact on spheres); zero where no face has area.
 
@@ -54,6 +57,7 @@ def first_normals(geometry: TriangleGeometry, count: int) -> AnyArray:
            Tools 4(2).
     """
     normals = np.zeros((count, 3))
+    total = np.zeros(count)
     sound = geometry.double_area > FLAT_TRIANGLE * np.maximum(
         np.maximum(*geometry.lengths[:2]), geometry.lengths[2]
     )
@@ -61,10 +65,12 @@ def first_normals(geometry: TriangleGeometry, count: int) -> AnyArray:
         product = geometry.lengths[i - 1] * geometry.lengths[i - 2]
         weight = np.divide(1.0, product, out=np.zeros(len(corner)), where=sound)
         for axis in range(3):
-            normals[:, axis] += np.bincount(corner, weight * geometry.cross[axis], minlength=count)
+            normals[:, axis] += sum_by_group(corner, weight * geometry.cross[axis], count)
+        total += sum_by_group(corner, weight * geometry.double_area, count)
     length = np.linalg.norm(normals, axis=1)
     normals /= np.where(length > 0, length, 1.0)[:, None]
-    return normals
+    # a sum of vectors is as long as all of them only where they have one direction
+    return normals, length > (1 - 0.5 * ONE_PLANE**2) * total
 
 
 def angle_sums(geometry: TriangleGeometry, count: int) -> AnyArray:
@@ -72,7 +78,7 @@ def angle_sums(geometry: TriangleGeometry, count: int) -> AnyArray:
     total = np.zeros(count)
     for i, corner in enumerate(geometry.corners):
         cosine = 0.5 * (geometry.lengths[i - 1] + geometry.lengths[i - 2] - geometry.lengths[i])
-        total += np.bincount(corner, np.arctan2(geometry.double_area, cosine), minlength=count)
+        total += sum_by_group(corner, np.arctan2(geometry.double_area, cosine), count)
     return total
 
 

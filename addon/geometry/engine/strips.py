@@ -49,7 +49,9 @@ class Strips:
     is_flat: AnyArray
 
 
-def strips_at(coordinates: Coordinates, triangles: AnyArray, vertices: AnyArray) -> Strips:
+def strips_at(
+    coordinates: Coordinates, triangles: AnyArray, vertices: AnyArray, least: float = UNFOLDED
+) -> Strips:
     """Measure the fold, and the strips beside it, at chosen vertices.
 
     Parameters
@@ -58,6 +60,8 @@ def strips_at(coordinates: Coordinates, triangles: AnyArray, vertices: AnyArray)
     triangles : (t, 3) int
     vertices : (m,) int
         Distinct.
+    least : float
+        Folds at a vertex that add up to less than this are too small to read (radians).
     """
     many = len(vertices)
     place = np.full(len(coordinates[0]), -1)
@@ -71,7 +75,7 @@ def strips_at(coordinates: Coordinates, triangles: AnyArray, vertices: AnyArray)
     good = double_area > FLAT_TRIANGLE * longest
     triangles, normal = triangles[good], cross[good] / double_area[good][:, None]
     ruling, turn, total = _folds(position, triangles, normal, place, many)
-    is_straight = (total > UNFOLDED) & ~(turn == 0)
+    is_straight = (total > max(least, UNFOLDED)) & (turn != 0)
     width, side_normal = _widths(position, triangles, normal, place, ruling)
     is_flat = total <= UNFOLDED
     is_found = is_straight & (width > 0).all(axis=0)
@@ -85,27 +89,6 @@ def strips_at(coordinates: Coordinates, triangles: AnyArray, vertices: AnyArray)
     is_found &= length > 0.5
     leaning /= np.where(is_found, length, 1.0)[:, None]
     return Strips(bend, ruling, leaning, is_found, is_flat)
-
-
-def unfolded(coordinates: Coordinates, triangles: AnyArray, normals: AnyArray) -> AnyArray:
-    """Return which of n vertices have triangles in one plane only, (n,) bool.
-
-    Parameters
-    ----------
-    coordinates : three (n,) float64
-    triangles : (t, 3) int
-    normals : (n, 3) float64
-        Weighted means of the triangles' normals.
-    """
-    position = np.stack(coordinates, axis=1)
-    corner = position[triangles]
-    cross = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
-    cross /= np.maximum(np.linalg.norm(cross, axis=1), 1e-300)[:, None]
-    spread = np.zeros(len(normals))
-    for i in range(3):
-        lean = np.sum(np.cross(cross, normals[triangles[:, i]]) ** 2, axis=1)
-        spread += sum_by_group(triangles[:, i], lean, len(normals))
-    return spread < (0.5 * UNFOLDED) ** 2
 
 
 def _folds(

@@ -21,8 +21,8 @@ PLANAR = 1e-3
 
 
 @dataclass
-class Turn:
-    """How f polygons lie and turn.
+class Facets:
+    """How f polygons lie.
 
     Attributes
     ----------
@@ -31,24 +31,16 @@ class Turn:
     normal : (f, 3) float64
         Unit normals; z where there is no area.
     is_planar : (f,) bool
-    is_open : (f,) bool
-        Polygons with an edge that no other polygon has.
-    tensor : (6, f) float64
-        xx, yy, zz, xy, xz, yz: half of each edge's fold times its length, across the edge, over
-        the polygon's area (1/m). For a strip of width w between equal folds b this is b / w across
-        the strip.
     """
 
     area: AnyArray
     normal: AnyArray
     is_planar: AnyArray
-    is_open: AnyArray
-    tensor: AnyArray
 
 
-def turn_of_polygons(
+def facets_of_polygons(
     positions: AnyArray, triangles: AnyArray, polygons: AnyArray, count: int
-) -> Turn:
+) -> Facets:
     """Measure polygons given by their triangles.
 
     Parameters
@@ -59,14 +51,51 @@ def turn_of_polygons(
         The polygon of each triangle, below `count`.
     count : int
     """
-    corner = positions[triangles]
-    cross = 0.5 * np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
-    vector = np.stack([sum_by_group(polygons, cross[:, i], count) for i in range(3)], 1)
-    area = sum_by_group(polygons, np.linalg.norm(cross, axis=1), count)
-    length = np.linalg.norm(vector, axis=1)
+    coordinates = [np.ascontiguousarray(positions[:, i]) for i in range(3)]
+    a, b, c = (np.ascontiguousarray(triangles[:, i]) for i in range(3))
+    origin = [x[a] for x in coordinates]
+    u, v = ([x[p] - o for x, o in zip(coordinates, origin, strict=True)] for p in (b, c))
+    cross = [0.5 * (u[i - 2] * v[i - 1] - u[i - 1] * v[i - 2]) for i in range(3)]
+    double = np.sqrt(cross[0] ** 2 + cross[1] ** 2 + cross[2] ** 2)
+    vector = np.stack([sum_by_group(polygons, part, count) for part in cross], axis=1)
+    area = sum_by_group(polygons, double, count)
+    length = np.sqrt(np.einsum("ij,ij->i", vector, vector))
     normal = vector / np.where(length > 0, length, 1.0)[:, None]
     normal[length == 0] = [0.0, 0.0, 1.0]
-    is_planar = (length > (1 - PLANAR**2) * area) & (length > 0)
+    return Facets(area, normal, (length > (1 - PLANAR**2) * area) & (length > 0))
+
+
+def turn_of_polygons(
+    positions: AnyArray, triangles: AnyArray, polygons: AnyArray, facets: Facets, chosen: AnyArray
+) -> tuple[AnyArray, AnyArray]:
+    """Return by how much chosen polygons turn, and which of them lie on the rim.
+
+    Parameters
+    ----------
+    positions : (n, 3) float64
+    triangles : (t, 3) int
+    polygons : (t,) int
+    facets : Facets
+        Of all polygons.
+    chosen : (m,) int
+
+    Returns
+    -------
+    tensor : (6, m) float64
+        xx, yy, zz, xy, xz, yz: half of each edge's fold times its length, across the edge, over
+        the polygon's area (1/m). For a strip of width w between equal folds b this is b / w across
+        the strip.
+    is_open : (m,) bool
+        Polygons with an edge that no other polygon has.
+    """
+    count = len(facets.area)
+    is_chosen = np.zeros(count, bool)
+    is_chosen[chosen] = True
+    # only what shares an edge with a chosen polygon matters, so what has two of its vertices
+    is_near = np.zeros(len(positions), bool)
+    is_near[triangles[is_chosen[polygons]]] = True
+    used = np.flatnonzero(is_near[triangles].sum(axis=1) > 1)
+    triangles, polygons = triangles[used], polygons[used]
     start, end = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
     key = np.minimum(start, end).astype(np.int64) * len(positions) + np.maximum(start, end)
     order = np.argsort(key, kind="stable")
@@ -85,15 +114,15 @@ def turn_of_polygons(
     edge = positions[end[one]] - positions[start[one]]
     size = np.linalg.norm(edge, axis=1)
     edge /= np.where(size > 0, size, 1.0)[:, None]
-    n1, n2 = normal[owner[one]], normal[owner[other]]
+    n1, n2 = facets.normal[owner[one]], facets.normal[owner[other]]
     # positive where the surface bends away from the normals
     fold = np.arctan2(np.einsum("ij,ij->i", np.cross(n1, n2), edge), np.einsum("ij,ij->i", n1, n2))
     tensor = np.zeros((6, count))
     for side in (one, other):
         face = owner[side]
-        across = np.cross(edge, normal[face])
+        across = np.cross(edge, facets.normal[face])
         weight = 0.5 * fold * size
         for row, (i, j) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))):
             tensor[row] += sum_by_group(face, weight * across[:, i] * across[:, j], count)
-    tensor /= np.where(area > 0, area, 1.0)
-    return Turn(area, normal, is_planar, is_open, tensor)
+    area = facets.area[chosen]
+    return tensor[:, chosen] / np.where(area > 0, area, 1.0), is_open[chosen]
