@@ -14,6 +14,11 @@ from .types import Flags, Floats, Indices
 DEFAULT_CREASE_ANGLE = float(np.radians(30.0))
 """Dihedral angle in radians above which an edge is a crease."""
 
+#: Rounding of the cosine of a fold, with plenty to spare.
+_SLACK = 1e-9
+#: Polygons that meet at less than this (radians) may lie in one plane.
+_BENT = 1e-3
+
 
 @dataclass(frozen=True)
 class Edges:
@@ -26,6 +31,8 @@ class Edges:
         opposite directions.
     is_crease : (p,) bool
         Inner edges that are marked sharp or folded by more than the crease angle.
+    is_bent : (p,) bool
+        Inner edges whose polygons have area and clearly do not lie in one plane.
     rim : (r,) int64
         Half-edges that belong to one polygon only.
     nonmanifold_count : int
@@ -38,6 +45,7 @@ class Edges:
 
     inner: Indices
     is_crease: Flags
+    is_bent: Flags
     rim: Indices
     nonmanifold_count: int
     flipped_count: int
@@ -88,16 +96,33 @@ def find_edges(
 
     polygon = mesh.corner_polygon[inner]
     is_measured = ~is_degenerate[polygon].any(axis=1)
-    angle = dihedral_angles(area_vectors[polygon[:, 0]], area_vectors[polygon[:, 1]])
-    is_folded = is_measured & (angle > crease_angle)
+    is_folded, is_bent = _folds(area_vectors, polygon, crease_angle)
+    is_folded &= is_measured
     return Edges(
         inner=inner,
         is_crease=sharp | is_folded,
+        is_bent=is_measured & is_bent,
         rim=first[uses == 1],
         nonmanifold_count=int((uses > 2).sum()),
         flipped_count=int(is_flipped.sum()),
         marked_count=int((sharp & ~is_folded).sum()),
     )
+
+
+def _folds(area_vectors: Floats, polygon: Indices, crease_angle: float) -> tuple[Flags, Flags]:
+    """Return which pairs of polygons fold by more than the crease angle, and which fold at all."""
+    length = np.linalg.norm(area_vectors, axis=1)
+    unit = area_vectors / np.where(length > 0.0, length, 1.0)[:, None]
+    cosine = np.zeros(len(polygon))
+    for axis in range(3):
+        values = np.ascontiguousarray(unit[:, axis])
+        cosine += values[polygon[:, 0]] * values[polygon[:, 1]]
+    # A cosine tells small angles apart badly: those that may be creases are measured as angles.
+    is_folded = cosine < np.cos(crease_angle) + _SLACK
+    close = np.flatnonzero(is_folded)
+    angles = dihedral_angles(unit[polygon[close, 0]], unit[polygon[close, 1]])
+    is_folded[close] = angles > crease_angle
+    return is_folded, cosine < 1.0 - 0.5 * _BENT**2
 
 
 def dihedral_angles(normals_1: Floats, normals_2: Floats) -> Floats:

@@ -112,6 +112,7 @@ def estimate_curvature(
     # The engine loads scipy, which Blender's start must not pay for.
     from .engine import estimator
     from .engine.faces import polygon_curvature
+    from .engine.turning import facets_of_polygons
 
     mesh = surface.mesh
     estimate = estimator.estimate_curvature(
@@ -126,6 +127,7 @@ def estimate_curvature(
         surface.sector_position,
         (surface.corner_sector, mesh.polygon_start),
         (surface.sector_triangles, mesh.triangle_polygon),
+        facets_of_polygons(surface.polygon_vector, surface.polygon_area),
         estimate,
     )
     is_flat_face = planar_polygons(surface)

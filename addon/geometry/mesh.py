@@ -86,7 +86,9 @@ class PolygonMesh:
     @property
     def diagonal(self) -> float:
         """Diagonal of the bounding box of the used vertices, in meters."""
-        used = self.vertices[self.corner_vertex]
+        is_used = np.zeros(self.vertex_count, dtype=np.bool_)
+        is_used[self.corner_vertex] = True
+        used = self.vertices[is_used]
         return float(np.linalg.norm(used.max(axis=0) - used.min(axis=0)))
 
 

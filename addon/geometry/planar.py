@@ -7,7 +7,6 @@ from __future__ import annotations
 import numpy as np
 
 from .groups import connected_groups, sum_by_group
-from .polygons import polygon_area_vectors
 from .surface import Surface
 from .types import Flags, Floats, Indices
 
@@ -15,6 +14,10 @@ from .types import Flags, Floats, Indices
 _PLANARITY = 1e-6
 #: Of a plane, the sum of the polygons' area vectors is nearly as long as the sum of their lengths.
 _ALIGNED = 0.99
+#: An edge that folds by this (radians) between polygons wide enough is no part of a plane.
+_BENT = 1e-3
+#: Steps from polygon to polygon by which a bent edge is spread.
+_STEPS = 4
 
 
 def planar_polygons(surface: Surface) -> Flags:
@@ -31,9 +34,12 @@ def planar_polygons(surface: Surface) -> Flags:
     (m,) bool
     """
     mesh = surface.mesh
-    polygon_piece = connected_groups(mesh.corner_polygon[surface.edges.smooth], mesh.polygon_count)
+    pairs = mesh.corner_polygon[surface.edges.smooth]
+    if not _may_be_planes(surface, pairs).any():
+        return np.zeros(mesh.polygon_count, dtype=np.bool_)
+    polygon_piece = connected_groups(pairs, mesh.polygon_count)
     piece_count = int(polygon_piece.max()) + 1
-    vector = polygon_area_vectors(mesh)
+    vector = surface.polygon_vector
     normal = np.stack(
         [sum_by_group(polygon_piece, vector[:, axis], piece_count) for axis in range(3)], axis=1
     )
@@ -44,6 +50,27 @@ def planar_polygons(surface: Surface) -> Flags:
         normal /= np.where(length > 0.0, length, 1.0)[:, None]
         is_plane &= _is_thin(surface, is_plane[polygon_piece], polygon_piece, normal)
     return is_plane[polygon_piece]
+
+
+def _may_be_planes(surface: Surface, pairs: Indices) -> Flags:
+    """Return the polygons with no bent edge within some steps, (m,) bool.
+
+    On most curved surfaces there are none, and to see that is faster than to find the pieces.
+    """
+    edges, mesh = surface.edges, surface.mesh
+    may = np.ones(mesh.polygon_count, dtype=np.bool_)
+    # The fold over a polygon no wider than the tolerance says nothing of its piece.
+    tolerance = _PLANARITY * mesh.diagonal + 2.0 * mesh.resolution
+    is_wide = surface.polygon_area * _BENT > tolerance * np.sqrt(surface.polygon_area)
+    bent = edges.is_bent[~edges.is_crease]
+    telling = pairs[bent & is_wide[pairs].all(axis=1)]
+    may[telling.ravel()] = False
+    for _ in range(_STEPS):
+        if not may.any():
+            break
+        spoiled = may[pairs[:, 0]] != may[pairs[:, 1]]
+        may[pairs[spoiled].ravel()] = False
+    return may
 
 
 def _is_thin(surface: Surface, polygons: Flags, polygon_piece: Indices, normal: Floats) -> Flags:

@@ -14,11 +14,12 @@ from .types import Flags, Floats
 _THINNEST = 1e-9
 
 
-def polygon_area_vectors(mesh: PolygonMesh) -> Floats:
-    """Return the vector area of every polygon: its length the area, its direction the normal.
+def measure_polygons(mesh: PolygonMesh) -> tuple[Floats, Floats]:
+    """Return the vector area and the area of every polygon.
 
-    For polygons that are not planar this is Newell's normal, the area of the projection that is
-    largest.
+    The length of the vector is the area of the projection that is largest, its direction the
+    normal (Newell's). The area is that of the triangles that fill the polygon. Both agree for
+    planar polygons.
 
     Parameters
     ----------
@@ -27,27 +28,33 @@ def polygon_area_vectors(mesh: PolygonMesh) -> Floats:
 
     Returns
     -------
-    (m, 3) float64
+    vectors : (m, 3) float64
         In m²; zero for polygons without area. Points outward for counter-clockwise corners.
+    areas : (m,) float64
+        In m².
     """
-    position = mesh.vertices[mesh.corner_vertex]
-    origin = np.repeat(position[mesh.polygon_start[:-1]], np.diff(mesh.polygon_start), axis=0)
-    arm = position - origin
-    return 0.5 * np.add.reduceat(
-        np.cross(arm, arm[mesh.next_corner]), mesh.polygon_start[:-1], axis=0
-    )
+    x, y, z = _triangle_vectors(mesh)
+    areas = np.sqrt(x * x + y * y + z * z)
+    if len(areas) == mesh.polygon_count:
+        return np.stack([x, y, z], axis=1), areas
+    vectors = [sum_by_group(mesh.triangle_polygon, part, mesh.polygon_count) for part in (x, y, z)]
+    return np.stack(vectors, axis=1), sum_by_group(mesh.triangle_polygon, areas, mesh.polygon_count)
+
+
+def polygon_area_vectors(mesh: PolygonMesh) -> Floats:
+    """Return the vector area of every polygon, (m, 3) float64; see `measure_polygons`."""
+    return measure_polygons(mesh)[0]
 
 
 def triangle_areas(mesh: PolygonMesh) -> Floats:
     """Return the area of every filling triangle, (t,) float64 in m²."""
-    position = mesh.vertices[mesh.corner_vertex[mesh.triangle_corner]]
-    cross = np.cross(position[:, 1] - position[:, 0], position[:, 2] - position[:, 0])
-    return 0.5 * np.linalg.norm(cross, axis=1)
+    x, y, z = _triangle_vectors(mesh)
+    return np.sqrt(x * x + y * y + z * z)
 
 
 def polygon_areas(mesh: PolygonMesh) -> Floats:
     """Return the area of every polygon as the sum of its triangles, (m,) float64 in m²."""
-    return sum_by_group(mesh.triangle_polygon, triangle_areas(mesh), mesh.polygon_count)
+    return measure_polygons(mesh)[1]
 
 
 def degenerate_polygons(mesh: PolygonMesh, areas: Floats) -> Flags:
@@ -65,10 +72,29 @@ def degenerate_polygons(mesh: PolygonMesh, areas: Floats) -> Flags:
     (m,) bool
         True where the height over the longest side is within the coordinates' rounding.
     """
-    position = mesh.vertices[mesh.corner_vertex]
-    side = np.linalg.norm(position[mesh.next_corner] - position, axis=1)
-    longest = np.maximum.reduceat(side, mesh.polygon_start[:-1])
+    end = mesh.corner_vertex[mesh.next_corner]
+    square = np.zeros(len(end))
+    for axis in range(3):
+        values = np.ascontiguousarray(mesh.vertices[:, axis])
+        side = values[end]
+        side -= values[mesh.corner_vertex]
+        square += side * side
+    longest = np.sqrt(np.maximum.reduceat(square, mesh.polygon_start[:-1]))
     return areas <= longest * (mesh.resolution + _THINNEST * longest)
+
+
+def _triangle_vectors(mesh: PolygonMesh) -> tuple[Floats, Floats, Floats]:
+    """Return x, y and z of the triangles' vector areas, each (t,) and contiguous: that is fast."""
+    a, b, c = (mesh.corner_vertex[mesh.triangle_corner[:, i]] for i in range(3))
+    one: list[Floats] = []
+    other: list[Floats] = []
+    for axis in range(3):
+        values = np.ascontiguousarray(mesh.vertices[:, axis])
+        origin = values[a]
+        one.append(values[b] - origin)
+        other.append(values[c] - origin)
+    (ux, uy, uz), (vx, vy, vz) = one, other
+    return 0.5 * (uy * vz - uz * vy), 0.5 * (uz * vx - ux * vz), 0.5 * (ux * vy - uy * vx)
 
 
 def corner_angles(mesh: PolygonMesh) -> Floats:

@@ -42,6 +42,11 @@ def smooth_sectors(mesh: PolygonMesh, smooth_edges: Indices) -> tuple[Indices, I
     label = np.empty(corner_count, dtype=np.int64)
     # Few vertices lie on creases and rims, and only there is there anything to search.
     label[is_whole] = mesh.corner_vertex[is_whole]
+    if is_whole.all():
+        sector_vertex = np.flatnonzero(np.bincount(mesh.corner_vertex))
+        number = np.empty(mesh.vertex_count, dtype=np.int64)
+        number[sector_vertex] = np.arange(len(sector_vertex))
+        return number[mesh.corner_vertex], sector_vertex
     rest = np.flatnonzero(~is_whole)
     label[rest] = mesh.vertex_count + _fans(turn, rest)
     return _numbered(label, mesh.corner_vertex)

@@ -12,7 +12,7 @@ import numpy as np
 from .creases import DEFAULT_CREASE_ANGLE, Edges, find_edges
 from .groups import sum_by_group
 from .mesh import PolygonMesh
-from .polygons import corner_angles, degenerate_polygons, polygon_area_vectors, polygon_areas
+from .polygons import corner_angles, degenerate_polygons, measure_polygons
 from .sectors import leading_sectors, smooth_sectors
 from .types import Flags, Floats, Indices
 
@@ -30,6 +30,8 @@ class Surface:
         What was cut.
     edges : Edges
         Smooth edges, creases and rims.
+    polygon_vector : (m, 3) float64
+        Vector areas in m², which point along the normals.
     polygon_area : (m,) float64
         In m².
     is_degenerate : (m,) bool
@@ -42,6 +44,7 @@ class Surface:
 
     mesh: PolygonMesh
     edges: Edges
+    polygon_vector: Floats
     polygon_area: Floats
     is_degenerate: Flags
     corner_sector: Indices
@@ -104,13 +107,14 @@ def build_surface(mesh: PolygonMesh, crease_angle: float = DEFAULT_CREASE_ANGLE)
     -------
     Surface
     """
-    areas = polygon_areas(mesh)
+    vectors, areas = measure_polygons(mesh)
     is_degenerate = degenerate_polygons(mesh, areas)
-    edges = find_edges(mesh, polygon_area_vectors(mesh), is_degenerate, crease_angle)
+    edges = find_edges(mesh, vectors, is_degenerate, crease_angle)
     corner_sector, sector_vertex = smooth_sectors(mesh, edges.smooth)
     return Surface(
         mesh=mesh,
         edges=edges,
+        polygon_vector=vectors,
         polygon_area=areas,
         is_degenerate=is_degenerate,
         corner_sector=corner_sector,

@@ -20,8 +20,8 @@ from ..types import AnyArray, Graph
 from .estimator import Estimate
 from .normals import tangent_frame
 from .sparse import compressed
-from .tensors import from_principal, to_principal
-from .turning import Facets, facets_of_polygons, turn_of_polygons
+from .tensors import eigenvalues_in_plane, from_principal, to_principal
+from .turning import Facets, turn_of_polygons
 
 #: Corners that differ by more than this factor belong to different surfaces.
 SEAM = 1.8
@@ -62,6 +62,7 @@ def polygon_curvature(
     positions: AnyArray,
     corners: tuple[AnyArray, AnyArray],
     triangles: tuple[AnyArray, AnyArray],
+    facets: Facets,
     curvature: Estimate,
 ) -> tuple[AnyArray, AnyArray]:
     """Return k1 >= k2 of every polygon, (f,) each, in 1/m; 0 for a polygon without area.
@@ -73,11 +74,11 @@ def polygon_curvature(
         The vertex of each corner, polygon by polygon, and where polygons start.
     triangles : (t, 3) int, (t,) int
         The vertices of the triangles that fill the polygons, and the polygon of each.
+    facets : Facets
     curvature : Estimate
         The estimate at the vertices. Singular and undefined vertices do not count.
     """
     vertex, start = corners
-    facets = facets_of_polygons(positions, *triangles, len(start) - 1)
     counts = (curvature.quality >= 0)[vertex]
     size = np.maximum(np.abs(curvature.k1), np.abs(curvature.k2))[vertex]
     least = np.minimum.reduceat(np.where(counts, size, np.inf), start[:-1])
@@ -101,7 +102,7 @@ def _mean_of_corners(each: _Polygons, curvature: Estimate) -> tuple[AnyArray, An
         curvature.k1, curvature.k2, curvature.direction_1, curvature.direction_2
     )
     mean = (each.member @ tensor.T).T / np.maximum(each.total, 1)
-    k1, k2, *_ = to_principal(mean, each.facets.normal)
+    k1, k2 = eigenvalues_in_plane(mean)
     # a tensor seen from a leaning plane is foreshortened: on coarse meshes corners are turned into
     # the face's plane first
     coarse = np.flatnonzero((each.most * np.sqrt(each.facets.area) > EVEN) & (each.total > 0))

@@ -31,6 +31,15 @@ def from_principal(
     )
 
 
+def eigenvalues_in_plane(tensor: AnyArray) -> tuple[AnyArray, AnyArray]:
+    """Return the larger and the smaller eigenvalue of (6, n) tensors whose third one vanishes."""
+    xx, yy, zz, xy, xz, yz = tensor
+    mean = 0.5 * (xx + yy + zz)
+    minors = xx * yy + xx * zz + yy * zz - xy * xy - xz * xz - yz * yz
+    gap = np.sqrt(np.maximum(mean * mean - minors, 0.0))
+    return mean + gap, mean - gap
+
+
 def _apply(tensor: AnyArray, vector: AnyArray) -> AnyArray:
     xx, yy, zz, xy, xz, yz = tensor
     x, y, z = vector.T

@@ -27,7 +27,7 @@ class Facets:
     Attributes
     ----------
     area : (f,) float64
-        Sum of the triangles' areas (m²).
+        Area (m²).
     normal : (f, 3) float64
         Unit normals; z where there is no area.
     is_planar : (f,) bool
@@ -38,27 +38,8 @@ class Facets:
     is_planar: AnyArray
 
 
-def facets_of_polygons(
-    positions: AnyArray, triangles: AnyArray, polygons: AnyArray, count: int
-) -> Facets:
-    """Measure polygons given by their triangles.
-
-    Parameters
-    ----------
-    positions : (n, 3) float64
-    triangles : (t, 3) int
-    polygons : (t,) int
-        The polygon of each triangle, below `count`.
-    count : int
-    """
-    coordinates = [np.ascontiguousarray(positions[:, i]) for i in range(3)]
-    a, b, c = (np.ascontiguousarray(triangles[:, i]) for i in range(3))
-    origin = [x[a] for x in coordinates]
-    u, v = ([x[p] - o for x, o in zip(coordinates, origin, strict=True)] for p in (b, c))
-    cross = [0.5 * (u[i - 2] * v[i - 1] - u[i - 1] * v[i - 2]) for i in range(3)]
-    double = np.sqrt(cross[0] ** 2 + cross[1] ** 2 + cross[2] ** 2)
-    vector = np.stack([sum_by_group(polygons, part, count) for part in cross], axis=1)
-    area = sum_by_group(polygons, double, count)
+def facets_of_polygons(vector: AnyArray, area: AnyArray) -> Facets:
+    """Return how polygons lie, given their vector areas (f, 3) and areas (f,) in m²."""
     length = np.sqrt(np.einsum("ij,ij->i", vector, vector))
     normal = vector / np.where(length > 0, length, 1.0)[:, None]
     normal[length == 0] = [0.0, 0.0, 1.0]
