@@ -143,6 +143,8 @@ def estimate_curvature(
     face_k1[is_flat_face], face_k2[is_flat_face] = 0.0, 0.0
     is_defined = is_flat | (estimate.quality >= 0)
     has_corner = np.logical_or.reduceat(is_defined[surface.corner_sector], mesh.polygon_start[:-1])
+    is_face_defined = has_corner & ~surface.is_degenerate
+    face_k1[~is_face_defined], face_k2[~is_face_defined] = 0.0, 0.0
     return Curvature(
         k1=estimate.k1,
         k2=estimate.k2,
@@ -155,5 +157,5 @@ def estimate_curvature(
         is_doubtful=(estimate.quality == estimator.FALLBACK) & ~is_flat,
         face_k1=face_k1,
         face_k2=face_k2,
-        is_face_defined=has_corner & ~surface.is_degenerate,
+        is_face_defined=is_face_defined,
     )

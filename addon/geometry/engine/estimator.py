@@ -189,11 +189,13 @@ def estimate_curvature(
     else:
         fitted = narrow(usable)
         reference = _reference(result, extent, usable)
-        noisy = result.error > TRIGGER * reference
+        # near rims fits err more without any noise
+        inner = usable & ~edge
+        noisy = (result.error > TRIGGER * reference)[inner if inner.any() else usable]
         if (
             usable.any()
             and smoothing != "NONE"
-            and (smoothing != "AUTO" or noisy[usable].mean() > COMMON)
+            and (smoothing != "AUTO" or noisy.mean() > COMMON)
         ):
             if smoothing == "AUTO":
                 choice = choose_scale(

@@ -21,6 +21,9 @@ from .normals import FLAT_TRIANGLE
 ASTRAY = 1e-3
 #: Folds that add up to less than this are none (radians).
 UNFOLDED = 1e-4
+#: Strips whose outer sides are nearer to each other than this share of their widths lie upon each
+#: other.
+FOLDED_BACK = 0.1
 #: Neighbors across count by their offset along the ruling, in units of their distance across.
 ALONG = 0.1
 
@@ -78,13 +81,14 @@ def strips_at(
     is_straight = (total > max(least, UNFOLDED)) & (turn != 0)
     width, side_normal = _widths(position, triangles, normal, place, ruling)
     is_flat = total <= UNFOLDED
-    is_found = is_straight & (width > 0).all(axis=0)
     one, other = width
     chord = np.sqrt(np.maximum(one**2 + other**2 + 2 * one * other * np.cos(turn), 0))
+    is_found = is_straight & (width > 0).all(axis=0) & (chord > FOLDED_BACK * (one + other))
     bend = np.where(is_found, 2 * np.sin(turn) / np.where(is_found, chord, 1.0), 0.0)
     # the circle's normal at the vertex leans from the strip's by half the strip's own arc
     lean = np.arcsin(np.clip(0.5 * bend * one, -1, 1))[:, None]
     leaning = np.cos(lean) * side_normal - np.sin(lean) * np.cross(side_normal, ruling)
+    leaning -= np.einsum("ij,ij->i", leaning, ruling)[:, None] * ruling
     length = np.linalg.norm(leaning, axis=1)
     is_found &= length > 0.5
     leaning /= np.where(is_found, length, 1.0)[:, None]
