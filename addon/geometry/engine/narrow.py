@@ -26,7 +26,7 @@ ENTRIES = 60_000
 #: Small meshes are given three rings, which costs nobody a second and more than halves the error.
 #: Large ones are fine enough for two.
 LARGE = 150_000
-THREE_RINGS = (3, JetOptions(falloff=4.0, softening=0.1))
+THREE_RINGS = (3, JetOptions(falloff=6.0, softening=0.1))
 TWO_RINGS = (2, JetOptions(falloff=3.0, softening=0.1))
 #: Where rounding is all the noise there is, a constant term and even weights suffice against it.
 ROUNDED = (3, JetOptions(constant=True, falloff=0.0))
