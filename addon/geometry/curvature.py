@@ -111,6 +111,7 @@ def estimate_curvature(
     """
     # The engine loads scipy, which Blender's start must not pay for.
     from .engine import estimator
+    from .engine.estimate import FALLBACK, SMOOTHED
     from .engine.faces import polygon_curvature
     from .engine.turning import facets_of_polygons
 
@@ -153,8 +154,8 @@ def estimate_curvature(
         normal=estimate.normals,
         uncertainty=estimate.error,
         is_defined=is_defined,
-        is_smoothed=(estimate.quality == estimator.SMOOTHED) & ~is_flat,
-        is_doubtful=(estimate.quality == estimator.FALLBACK) & ~is_flat,
+        is_smoothed=(estimate.quality == SMOOTHED) & ~is_flat,
+        is_doubtful=(estimate.quality == FALLBACK) & ~is_flat,
         face_k1=face_k1,
         face_k2=face_k2,
         is_face_defined=is_face_defined,

@@ -4,65 +4,35 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ..types import AnyArray
+from .blocks import NarrowFit
 from .developable import apexes, refine_developable, without
+from .estimate import (
+    EXACT,
+    FALLBACK,
+    SINGULAR,
+    TRUSTED,
+    UNDEFINED,
+    Estimate,
+    adopt,
+    blank,
+)
 from .jet_fit import UNDETERMINED
-from .narrow import CALIBRATION, NarrowFit, narrow_fit, ordinary, pilot_fit, ring_mean
+from .narrow import CALIBRATION, narrow_fit, pilot_fit, ring_mean
 from .neighborhoods import adjacency, edges_and_rim, without_hubs
 from .normals import TriangleGeometry, angle_sums, first_normals
-from .smoothing import Choice, Narrow, choose_scale, smooth_at
-from .tensors import to_principal
+from .recipes import ordinary
+from .smoothing import Narrow, choose_scale, smooth_at
 
-#: Values of `Estimate.quality`: a point without a tangent plane (an apex), no faces of any area,
-#: a fit of few points, the nearest ring of an exact
-#: developable, a fit as it should be, patches over noise.
-SINGULAR, UNDEFINED, FALLBACK, EXACT, TRUSTED, SMOOTHED = -2, -1, 0, 1, 2, 3
 #: Noise is worth smoothing where it would change the curvature by more than this share, and where
 #: this share of the vertices says so.
 TRIGGER, COMMON = 0.003, 0.02
 #: A fit of degree 4 over two rings errs by this times the noise over the area of a vertex.
 ROUNDING_LAW = 2.3
-#: Curvatures that differ by less than this share of their size have no directions.
-UMBILIC = 1e-6
 #: A narrow fit expected to err by this share of the curvature it finds is not made at all.
 HOPELESS = 0.25
-
-
-@dataclass
-class Estimate:
-    """Curvature at s sectors.
-
-    Attributes
-    ----------
-    k1, k2 : (s,) float64
-        Principal curvatures in 1/m, k1 >= k2. Positive where the surface bends away from the
-        normal: 1/R on a sphere with outward normals. 0 where
-        undefined.
-    direction_1, direction_2 : (s, 3) float64
-        Unit principal directions; direction_2 = normal x direction_1; zero where undefined: no
-        faces, apex, exact umbilic or flat point.
-    normals : (s, 3) float64
-        Unit normals of the fitted surface; zero where there is no face with area.
-    quality : (s,) int8
-        `SINGULAR` … `SMOOTHED`; below 0 there is no curvature.
-    error : (s,) float64
-        Standard uncertainty of k1 and k2 in 1/m, as far as noise and misfit show it.
-    noise : (s,) float64
-        Standard deviation of the heights that was taken for noise (m).
-    """
-
-    k1: AnyArray
-    k2: AnyArray
-    direction_1: AnyArray
-    direction_2: AnyArray
-    normals: AnyArray
-    quality: AnyArray
-    error: AnyArray
-    noise: AnyArray
 
 
 def estimate_curvature(
@@ -185,18 +155,14 @@ def estimate_curvature(
         changed = (choice.rung >= 0) & usable
         if (usable & ~changed).any():
             narrow(usable & ~changed)
-        _adopt(result, choice, changed)
+        adopt(result, choice, changed)
     else:
         fitted = narrow(usable)
         reference = _reference(result, extent, usable)
         # near rims fits err more without any noise
         inner = usable & ~edge
         noisy = (result.error > TRIGGER * reference)[inner if inner.any() else usable]
-        if (
-            usable.any()
-            and smoothing != "NONE"
-            and (smoothing != "AUTO" or noisy.mean() > COMMON)
-        ):
+        if usable.any() and smoothing != "NONE" and (smoothing != "AUTO" or noisy.mean() > COMMON):
             if smoothing == "AUTO":
                 choice = choose_scale(
                     coordinates, open_walk, normals, fitted, area, reference, scramble
@@ -205,8 +171,8 @@ def estimate_curvature(
                 choice = smooth_at(
                     coordinates, open_walk, normals, fitted, area, float(smoothing), scramble
                 )
-            _adopt(result, choice, (choice.rung >= 0) & usable)
-    _blank(result, extent)
+            adopt(result, choice, (choice.rung >= 0) & usable)
+    blank(result, extent)
     return result
 
 
@@ -226,36 +192,3 @@ def _is_hopeless(pilot: NarrowFit, extent: float) -> bool:
     expected = np.sqrt(CALIBRATION * pilot.variance) * pilot.residual
     # the pilot's own curvature is noise too: most of it is not there
     return bool(np.quantile(expected, 0.1) > HOPELESS * _reference(pilot, extent))
-
-
-def _adopt(result: Estimate, choice: Choice, changed: AnyArray) -> None:
-    if not changed.any():
-        return
-    k1, k2, direction_1, direction_2 = to_principal(
-        choice.tensor[:, changed], choice.normals[changed]
-    )
-    result.k1[changed], result.k2[changed] = k1, k2
-    result.direction_1[changed], result.direction_2[changed], result.normals[changed] = (
-        direction_1,
-        direction_2,
-        choice.normals[changed],
-    )
-    result.error[changed], result.noise[changed] = (
-        np.sqrt(choice.error[changed]),
-        np.sqrt(choice.noise[changed]),
-    )
-    result.quality[changed] = SMOOTHED
-
-
-def _blank(result: Estimate, extent: float) -> None:
-    """Clear what is undefined.
-
-    Values of vertices without a tangent plane, directions of exact umbilics.
-    """
-    none = result.quality < 0
-    for values in (result.k1, result.k2, result.error, result.direction_1, result.direction_2):
-        values[none] = 0
-    size = np.maximum(np.abs(result.k1), np.abs(result.k2))
-    umbilic = result.k1 - result.k2 <= UMBILIC * size + 1e-10 / max(extent, 1e-60)
-    result.direction_1[umbilic] = 0
-    result.direction_2[umbilic] = 0

@@ -17,7 +17,7 @@ import numpy as np
 
 from ..groups import sum_by_group
 from ..types import AnyArray, Graph
-from .estimator import Estimate
+from .estimate import Estimate
 from .normals import tangent_frame
 from .sparse import compressed
 from .tensors import eigenvalues_in_plane, from_principal, to_principal

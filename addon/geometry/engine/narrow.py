@@ -7,38 +7,13 @@ A jet of degree 4 at every vertex over its nearest rings, as sharp as the mesh a
 
 from __future__ import annotations
 
-import os
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
-
 import numpy as np
 
 from ..types import AnyArray, Coordinates, Graph
-from .jet_fit import UNDETERMINED, JetOptions, fit_jets, shape_operator
-from .neighborhoods import padded_table, rings
+from .blocks import NarrowFit, empty_fit, fit_into
+from .jet_fit import UNDETERMINED, JetOptions
+from .recipes import NEAR_RIM, PARABOLOID, RIM, TWO_RINGS, ordinary
 
-#: Vertices whose rings are walked together: bounds the memory of the rows.
-ROWS = 10_000
-#: Threads: more gain little, as memory is what they wait for.
-WORKERS = min(4, os.cpu_count() or 1)
-#: Table entries (neighbors times vertices) worked on at once: what stays in the processor's cache.
-ENTRIES = 60_000
-#: Small meshes are given three rings, which costs nobody a second and more than halves the error.
-#: Large ones are fine enough for two.
-LARGE = 150_000
-THREE_RINGS = (3, JetOptions(falloff=6.0, softening=0.1))
-TWO_RINGS = (2, JetOptions(falloff=3.0, softening=0.1))
-#: Where rounding is all the noise there is, a constant term and even weights suffice against it.
-ROUNDED = (3, JetOptions(constant=True, falloff=0.0))
-#: Where the mesh is so fine that rounding outweighs what a cubic leaves out, fewer unknowns help
-#: more than more points, and take a third of the time.
-VERY_ROUNDED = (2, JetOptions(degree=3, constant=True, falloff=0.0))
-#: Shares of the inverse extent from which on rounding shows, and outweighs.
-SHOWING, OUTWEIGHED = 6e-4, 6e-3
-#: Beside a rim a vertex has neighbors on one side only, on it still fewer: reach further, but look
-#: closer.
-NEAR_RIM = (3, JetOptions(falloff=5.0, softening=0.1))
-RIM = (4, JetOptions(falloff=6.0, softening=0.1))
 #: There heights are measured over the mean plane of what lies around, not over the tangent plane:
 #: so the slopes stay small within a neighborhood to one side, and high orders with them.
 LEANING = 5
@@ -51,7 +26,6 @@ CORNER = 2000.0
 #: On a rim of a mesh so coarse that a fit is expected to err by this share, a paraboloid over two
 #: rings is tried, and taken if the error it promises, squared, is below this share.
 COARSE, COARSE_PROMISE = 0.05, 0.25
-PARABOLOID = (2, JetOptions(degree=2, falloff=3.0, softening=0.1))
 #: A fit expected to err by more than this share is tried again with fewer rings.
 SHARPEN = 0.01
 #: They are taken if the error they promise, squared, is below this share.
@@ -63,124 +37,6 @@ SMALL = 12_000
 CALIBRATION = 0.4
 #: Vertices of a pilot fit.
 PILOT = 2000
-
-
-@dataclass
-class NarrowFit:
-    """Values at n vertices.
-
-    Attributes
-    ----------
-    k1, k2 : (n,), direction_1, direction_2, normals : (n, 3)
-    residual : (n,)
-        RMS misfit of the heights (m).
-    variance : (n,)
-        Variance of the curvature for unit variance of the heights (1/m⁴).
-    condition : (n,)
-        How well the neighbors determine the curvature; `UNDETERMINED` where they are fewer than
-        the unknowns.
-    radius : (n,)
-        RMS distance of the neighbors (m).
-    """
-
-    k1: AnyArray
-    k2: AnyArray
-    direction_1: AnyArray
-    direction_2: AnyArray
-    normals: AnyArray
-    residual: AnyArray
-    variance: AnyArray
-    condition: AnyArray
-    radius: AnyArray
-
-
-def empty_fit(normals: AnyArray) -> NarrowFit:
-    """Return a fit that says nothing yet."""
-    n = len(normals)
-    zero = [
-        np.zeros(n),
-        np.zeros(n),
-        np.zeros((n, 3)),
-        np.zeros((n, 3)),
-        normals.copy(),
-        np.zeros(n),
-        np.zeros(n),
-        np.full(n, UNDETERMINED),
-        np.zeros(n),
-    ]
-    return NarrowFit(*zero)
-
-
-def fit_into(
-    fit: NarrowFit,
-    coordinates: Coordinates,
-    graph: Graph,
-    walk: Graph,
-    normals: AnyArray,
-    vertices: AnyArray,
-    ring: int,
-    options: JetOptions,
-) -> None:
-    """Fit the chosen vertices over so many rings and store what was found.
-
-    Blocks of vertices are independent, and numpy lets go of the interpreter while it works: two or
-    more processors share them.
-    """
-    blocks = [vertices[start : start + ROWS] for start in range(0, len(vertices), ROWS)]
-
-    def work(block: AnyArray) -> None:
-        _fit_block(fit, coordinates, rings(graph, walk, block, ring), normals, block, options)
-
-    if len(blocks) < 2 or WORKERS < 2:
-        for block in blocks:
-            work(block)
-        return
-    with ThreadPoolExecutor(WORKERS) as workers:
-        list(workers.map(work, blocks))
-
-
-def _fit_block(
-    fit: NarrowFit,
-    coordinates: Coordinates,
-    rows: Graph,
-    normals: AnyArray,
-    block: AnyArray,
-    options: JetOptions,
-) -> None:
-    length = np.diff(rows.indptr)
-    order = np.argsort(length, kind="stable")
-    position = 0
-    while position < len(order):
-        # rows are sorted by length, so a chunk is padded to its last row's
-        size = max(64, ENTRIES // max(int(length[order[position]]), 8))
-        chosen = order[position : position + size]
-        position += size
-        centers = block[chosen]
-        table, used = padded_table(rows, chosen, centers)
-        jet = fit_jets(coordinates, table, used, centers, normals[centers], options)
-        k1, k2, direction_1, direction_2, normal = shape_operator(jet)
-        fit.k1[centers], fit.k2[centers], fit.normals[centers] = k1, k2, normal
-        fit.direction_1[centers], fit.direction_2[centers] = direction_1, direction_2
-        fit.residual[centers], fit.variance[centers] = jet.residual, jet.variance
-        fit.condition[centers], fit.radius[centers] = jet.condition, jet.radius
-
-
-def ordinary(count: int, rounding: float) -> tuple[int, JetOptions]:
-    """Return how to fit inside a mesh.
-
-    Parameters
-    ----------
-    count : int
-        Number of vertices.
-    rounding : float
-        Error of the curvature that rounding makes in a fit of degree 4 over two rings, as a share
-        of the inverse of the mesh's extent.
-    """
-    if rounding > OUTWEIGHED:
-        return VERY_ROUNDED
-    if rounding > SHOWING:
-        return ROUNDED
-    return THREE_RINGS if count < LARGE else TWO_RINGS
 
 
 def narrow_fit(
