@@ -5,25 +5,29 @@
 from __future__ import annotations
 
 import subprocess
-from collections.abc import Sequence
 
 from . import environments
-from .errors import DevError
 from .places import ROOT
 from .processes import python_environment
 
 
-def run(arguments: Sequence[str]) -> int:
-    """Run `python -m tools.benchmark` with numpy, scipy and libigl at hand.
+def run(what: str, *, quick: bool, held_out: bool, largest: int) -> int:
+    """Run `python -m tools.benchmark` with the peers it compares with at hand.
 
-    Raises
-    ------
-    DevError
-        If there is no such package.
+    Parameters
+    ----------
+    what : str
+        "accuracy" or "speed".
+    quick : bool
+        Small meshes only.
+    held_out : bool
+        Other surfaces.
+    largest : int
+        Number of vertices beyond which meshes are skipped; 0 for none.
     """
-    if not (ROOT / "tools" / "benchmark").is_dir():
-        raise DevError("there is no benchmark yet: the folder tools/benchmark is missing")
-    python = environments.ensure("geometry")
+    arguments = [what, "--largest", str(largest)]
+    arguments += ["--quick"] * quick + ["--held-out"] * held_out
+    python = environments.ensure("benchmark")
     return subprocess.run(
         [python, "-m", "tools.benchmark", *arguments],
         cwd=ROOT,

@@ -93,9 +93,18 @@ def _parser() -> argparse.ArgumentParser:
     build.add_argument("--blender", metavar="VERSION", help="the Blender of --python, such as 4.3")
     build.set_defaults(run=_build)
 
-    commands.add_parser(
-        "bench", help="measure speed; arguments after -- are passed on"
-    ).set_defaults(run=_bench)
+    bench = commands.add_parser(
+        "bench", help="compare with other libraries; writes docs/accuracy.md and its pictures"
+    )
+    bench.add_argument("what", choices=["accuracy", "speed"])
+    bench.add_argument("--quick", action="store_true", help="small meshes, prints only")
+    bench.add_argument(
+        "--held-out", action="store_true", help="surfaces that nothing was tuned on, prints only"
+    )
+    bench.add_argument(
+        "--largest", type=int, default=0, metavar="N", help="skip larger meshes, prints only"
+    )
+    bench.set_defaults(run=_bench)
     commands.add_parser("wheels", help="fetch the wheels of all platforms").set_defaults(
         run=_wheels
     )
@@ -169,7 +178,9 @@ def _build(options: argparse.Namespace) -> int:
 def _bench(options: argparse.Namespace) -> int:
     from . import benchmarking
 
-    return benchmarking.run(options.pytest)
+    return benchmarking.run(
+        options.what, quick=options.quick, held_out=options.held_out, largest=options.largest
+    )
 
 
 def _wheels(_options: argparse.Namespace) -> int:

@@ -56,6 +56,15 @@ ENVIRONMENTS = {
                 *("pytest", "hypothesis"),
             ),
         ),
+        # The peers that the benchmarks compare with.
+        Environment(
+            "benchmark",
+            python="3.11",
+            requirements=(
+                *("numpy==1.26.4", "scipy==1.15.3", "libigl==2.6.3"),
+                *("pyvista", "pymeshlab", "trimesh", "rtree", "matplotlib"),
+            ),
+        ),
         # Later stubs of Blender 4.2 confuse properties with methods (seen in 20260730).
         # basedpyright is pyright with its Node.js in a wheel: no download at run time.
         Environment(

@@ -61,7 +61,9 @@ class Sample:
         return depth
 
 
-def sample_patch(patch: Patch, kind: str, cells: tuple[int, int], seed: int = 0) -> Sample:
+def sample_patch(
+    patch: Patch, kind: str, cells: tuple[int, int], seed: int = 0, jitter: float = _JITTER
+) -> Sample:
     """Return a mesh on a parametrized surface, welded where the surface closes.
 
     Parameters
@@ -73,12 +75,14 @@ def sample_patch(patch: Patch, kind: str, cells: tuple[int, int], seed: int = 0)
         Number of cells in u and v; each holds a quad or two triangles.
     seed : int
         Of the irregular points.
+    jitter : float
+        Share of a cell's size by which irregular points are moved, at most, to either side.
     """
     count = [number + (not closed) for number, closed in zip(cells, patch.is_closed, strict=True)]
     i, j = (index.ravel() for index in np.indices(count))
     place = np.stack([i, j], axis=1).astype(np.float64)
     if kind == "irregular":
-        place += _jitter(place, cells, patch.is_closed, seed)
+        place += _jitter(place, cells, patch.is_closed, seed, jitter)
         polygons = _delaunay(place, cells, patch.is_closed)
     else:
         polygons = _grid(cells, count, kind)
@@ -110,9 +114,11 @@ def _grid(cells: tuple[int, int], count: list[int], kind: str) -> Indices:
     return split_quads(quads, ((i + j) % 2 == 1) & (kind == "alternating"))
 
 
-def _jitter(place: Array, cells: tuple[int, int], is_closed: tuple[bool, bool], seed: int) -> Array:
+def _jitter(
+    place: Array, cells: tuple[int, int], is_closed: tuple[bool, bool], seed: int, most: float
+) -> Array:
     """Return small moves, which keep the points of open sides on them and corners in place."""
-    moves = np.random.default_rng(seed).uniform(-_JITTER, _JITTER, place.shape)
+    moves = np.random.default_rng(seed).uniform(-most, most, place.shape)
     on_side = ((place == 0.0) | (place == np.array(cells))) & ~np.array(is_closed)
     moves[on_side] = 0.0
     moves[on_side.all(axis=1)] = 0.0
