@@ -12,7 +12,7 @@ import numpy as np
 from ..types import AnyArray, Coordinates, Graph
 from .blocks import NarrowFit, empty_fit, fit_into
 from .jet_fit import UNDETERMINED, JetOptions
-from .recipes import NEAR_RIM, PARABOLOID, RIM, TWO_RINGS, ordinary
+from .recipes import NEAR_RIM, NEAREST, PARABOLOID, RIM, TWO_RINGS, ordinary
 
 #: There heights are measured over the mean plane of what lies around, not over the tangent plane:
 #: so the slopes stay small within a neighborhood to one side, and high orders with them.
@@ -28,6 +28,8 @@ CORNER = 2000.0
 COARSE, COARSE_PROMISE = 0.05, 0.25
 #: A fit expected to err by more than this share is tried again with fewer rings.
 SHARPEN = 0.01
+#: One still expected to err by this share, as on a tube of ten faces, with the nearest ring only.
+LOST, LOST_PROMISE = 0.3, 0.25
 #: They are taken if the error they promise, squared, is below this share.
 PROMISE = 0.5
 #: Larger meshes are fine enough without (and time counts).
@@ -78,7 +80,7 @@ def narrow_fit(
     coarse = rim & sound & (promised > COARSE**2 * np.maximum(np.abs(fit.k1), np.abs(fit.k2)) ** 2)
     _try(fit, coordinates, graph, walk, normals, np.flatnonzero(coarse), PARABOLOID)
     if len(normals) < SMALL:
-        _sharpen(fit, coordinates, graph, walk, normals, np.flatnonzero(sound & ~rim))
+        _sharpen(fit, coordinates, graph, walk, normals, np.flatnonzero(sound & ~rim), near)
     return fit
 
 
@@ -160,17 +162,21 @@ def _sharpen(
     walk: Graph,
     normals: AnyArray,
     vertices: AnyArray,
+    near: AnyArray,
 ) -> None:
-    """Take two rings instead of three where they promise a smaller error.
+    """Take fewer rings where they promise a smaller error.
 
     That is so where the shape bends much; noise makes them promise a larger one.
     """
-    expected = ring_mean(walk, fit.residual**2) * fit.variance
-    chosen = vertices[(expected > SHARPEN**2 * (fit.k1**2 + fit.k2**2))[vertices]]
-    if not len(chosen):
-        return
-    other = NarrowFit(*(np.copy(getattr(fit, name)) for name in NarrowFit.__dataclass_fields__))
-    fit_into(other, coordinates, graph, walk, normals, chosen, *TWO_RINGS)
-    promised = ring_mean(walk, other.residual**2) * other.variance
-    better = chosen[((promised < PROMISE * expected) & (other.condition < WEAK))[chosen]]
-    _copy(fit, other, better)
+    for share, promise, how in ((SHARPEN, PROMISE, TWO_RINGS), (LOST, LOST_PROMISE, NEAREST)):
+        expected = ring_mean(walk, fit.residual**2) * fit.variance
+        chosen = vertices[(expected > share**2 * (fit.k1**2 + fit.k2**2))[vertices]]
+        if how is NEAREST:  # beside a rim the nearest ring is lopsided
+            chosen = chosen[~near[chosen]]
+        if not len(chosen):
+            return
+        other = NarrowFit(*(np.copy(getattr(fit, name)) for name in NarrowFit.__dataclass_fields__))
+        fit_into(other, coordinates, graph, walk, normals, chosen, *how)
+        promised = ring_mean(walk, other.residual**2) * other.variance
+        better = (promised < promise * expected) & (other.condition < WEAK)
+        _copy(fit, other, chosen[better[chosen]])

@@ -22,7 +22,8 @@ SHOWING, OUTWEIGHED = 6e-4, 6e-3
 #: closer.
 NEAR_RIM = (3, JetOptions(falloff=5.0, softening=0.1))
 RIM = (4, JetOptions(falloff=6.0, softening=0.1))
-#: The last resort of coarse rims.
+#: The last resorts inside coarse meshes, and on their rims.
+NEAREST = (1, JetOptions(degree=2, falloff=0.0))
 PARABOLOID = (2, JetOptions(degree=2, falloff=3.0, softening=0.1))
 
 
