@@ -59,9 +59,7 @@ def _check(vertices: Array, faces: object, smoothing: Smoothing, length: float) 
 
 
 @robust
-@given(
-    seeds, st.integers(3, 25), st.integers(1, 60), scales, offsets, st.sampled_from(SMOOTHINGS)
-)
+@given(seeds, st.integers(3, 25), st.integers(1, 60), scales, offsets, st.sampled_from(SMOOTHINGS))
 def test_random_triangles(
     seed: int, points: int, count: int, scale: float, offset: float, how: tuple[Smoothing, float]
 ) -> None:

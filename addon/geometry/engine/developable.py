@@ -14,8 +14,8 @@ from __future__ import annotations
 import numpy as np
 
 from ..types import AnyArray, Coordinates, Graph
+from .blocks import NarrowFit, fit_into
 from .jet_fit import JetOptions
-from .narrow import NarrowFit, fit_into
 from .strips import Strips, strips_at
 
 #: Angle defects below this are rounding (radians).

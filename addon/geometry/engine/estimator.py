@@ -9,9 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..types import AnyArray
+from .blocks import NarrowFit
 from .developable import apexes, refine_developable, without
 from .jet_fit import UNDETERMINED
-from .narrow import CALIBRATION, NarrowFit, narrow_fit, ordinary, pilot_fit, ring_mean
+from .narrow import CALIBRATION, narrow_fit, ordinary, pilot_fit, ring_mean
 from .neighborhoods import adjacency, edges_and_rim, without_hubs
 from .normals import TriangleGeometry, angle_sums, first_normals
 from .smoothing import Choice, Narrow, choose_scale, smooth_at
@@ -192,11 +193,7 @@ def estimate_curvature(
         # near rims fits err more without any noise
         inner = usable & ~edge
         noisy = (result.error > TRIGGER * reference)[inner if inner.any() else usable]
-        if (
-            usable.any()
-            and smoothing != "NONE"
-            and (smoothing != "AUTO" or noisy.mean() > COMMON)
-        ):
+        if usable.any() and smoothing != "NONE" and (smoothing != "AUTO" or noisy.mean() > COMMON):
             if smoothing == "AUTO":
                 choice = choose_scale(
                     coordinates, open_walk, normals, fitted, area, reference, scramble
