@@ -103,7 +103,8 @@ def _rounding_warning(surface: Surface) -> tuple[str, ...]:
     step = len(mesh.corner_vertex) // _SAMPLE + 1
     end = mesh.next_corner[::step]
     side = mesh.vertices[mesh.corner_vertex[end]] - mesh.vertices[mesh.corner_vertex[::step]]
-    median = np.sort(np.linalg.norm(side, axis=1))[len(side) // 2]
+    lengths = np.sort(np.linalg.norm(side, axis=1))
+    median = lengths[len(lengths) // 2]
     if mesh.resolution <= _COARSE_ROUNDING * median:
         return ()
     return (
