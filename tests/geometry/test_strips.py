@@ -105,7 +105,9 @@ def test_a_vault_that_stands_on_its_rulings_is_round_up_to_all_its_rims() -> Non
     # In the corners, where two rims meet, a fit of the circle's chords extrapolates by half a strip
     # both ways: the square of a strip's arc is what it may lose.
     np.testing.assert_allclose(curvature.face_k1, 1.0, atol=np.radians(160.0 / 15.0) ** 2)
-    assert (np.abs(curvature.face_k1 - 1.0) < 5e-3).mean() > 0.98
+    # Elsewhere a rim is at most half a strip away from where the fit has all it needs.
+    half = 0.5 * np.radians(160.0 / 15.0)
+    assert (np.abs(curvature.face_k1 - 1.0) < half**2).mean() > 0.98
     assert np.abs(curvature.face_k2).max() < 2e-3
     radius = smallest_radius(np.abs(curvature.face_k1), surface.polygon_area)
-    assert radius == pytest.approx(1.0, abs=5e-3)
+    assert radius == pytest.approx(1.0, abs=half**2)
