@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 from bpy.types import Context, Object
 
-from .bridge import display, results
+from .bridge import cache, display, results
 from .bridge.material import show as show_material
 from .bridge.mode import object_mode
 from .bridge.separation import discard_parts
@@ -22,6 +22,7 @@ from .bridge.subject import (
     source_of,
     users_of,
 )
+from .geometry.analysis import Analysis
 from .geometry.errors import CurvatureError
 from .geometry.segmentation import segment
 from .geometry.settings import AnalysisSettings, SegmentationSettings
@@ -33,10 +34,12 @@ from .geometry.types import Progress
 class Outcome:
     """What became of the objects of a task.
 
-    `carriers` have the results; `refused` says for each of the others what is wrong with it.
+    `carriers` have the results, `analyses` are those by the names of their meshes; `refused` says
+    for each of the others what is wrong with it.
     """
 
     carriers: list[Object] = field(default_factory=list)
+    analyses: dict[str, Analysis] = field(default_factory=dict)
     refused: list[str] = field(default_factory=list)
 
     @property
@@ -148,7 +151,9 @@ def _for_each(
             subject = read_subject(
                 obj, context.scene, context.evaluated_depsgraph_get(), settings, advance
             )
-            outcome.carriers.append(write(subject))
+            carrier = write(subject)
+            outcome.carriers.append(carrier)
+            outcome.analyses[carrier.data.name_full] = subject.analysis
         except CurvatureError as error:
             outcome.refused.append(f"{obj.name}: {error}")
         advance(1.0)
@@ -189,7 +194,8 @@ def _show(context: Context, outcome: Outcome, quantities: tuple[str, ...]) -> No
         return
     settings = context.scene.curvature
     # Setting the quantity recolors every model, also where it stays the same.
-    settings.quantity = settings.quantity if settings.quantity in quantities else quantities[0]
+    with cache.trusted(outcome.analyses):
+        settings.quantity = settings.quantity if settings.quantity in quantities else quantities[0]
 
 
 def _clear(context: Context, obj: Object) -> bool:

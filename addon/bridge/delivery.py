@@ -13,7 +13,7 @@ from ..geometry.display.palette import CLASS_NAMES
 from . import names
 from .attributes import read_attribute, write_attribute
 from .display import class_colors
-from .mesh import read_array
+from .mesh import corner_vertices, polygon_sizes
 
 _FACE_SETS = ".sculpt_face_set"
 
@@ -48,8 +48,8 @@ def write_vertex_groups(obj: Object) -> None:
     """Make a vertex group of the vertices of every class, with weights of 1."""
     mesh = obj.data
     classes = _read(mesh, names.FACE_CLASS)
-    at_corner = np.repeat(classes, read_array(mesh.polygons, "loop_total", np.int32))
-    vertices = read_array(mesh.loops, "vertex_index", np.int32)
+    at_corner = np.repeat(classes, polygon_sizes(mesh))
+    vertices = corner_vertices(mesh)
     for kind, name in CLASS_NAMES.items():
         group = obj.vertex_groups.get(name)
         if group is not None:

@@ -16,9 +16,9 @@ from ..geometry.display.palette import class_color_table, region_colors
 from ..geometry.display.range import clipped_share, percentile_limit
 from ..geometry.errors import CurvatureError
 from ..geometry.types import Floats
-from . import material, names, viewport
+from . import cache, material, names, viewport
 from .attributes import read_attribute, show_color_attribute, write_attribute
-from .mesh import read_array
+from .mesh import polygon_sizes
 from .numbers import as_typed
 from .results import settings_of
 from .subject import read_subject, source_of, users_of
@@ -91,6 +91,9 @@ def write_class_colors(mesh: Mesh, settings: PropertyGroup) -> None:
 
 def _current_model(context: Context, scene: Scene, obj: Object) -> _Model | None:
     """Return the analysis of a carrier, None where its source changed in the meantime."""
+    written = cache.just_written(obj.data.name_full)
+    if written is not None:
+        return _Model(obj.data, written)
     # Objects that share a mesh may differ in scale: the results are those of one of them.
     found = (_analysis_of_results(context, scene, user) for user in users_of(obj.data))
     return next((_Model(obj.data, analysis) for analysis in found if analysis is not None), None)
@@ -184,7 +187,10 @@ def _color_by_class(mesh: Mesh, settings: PropertyGroup, quantity: str) -> None:
         colors = class_color_table(class_colors(settings))[stored + 1]
     else:
         colors = region_colors(stored)
-    sizes = read_array(mesh.polygons, "loop_total", np.int32)
     write_attribute(
-        mesh, names.COLORS[quantity], "CORNER", "FLOAT_COLOR", np.repeat(colors, sizes, axis=0)
+        mesh,
+        names.COLORS[quantity],
+        "CORNER",
+        "FLOAT_COLOR",
+        np.repeat(colors, polygon_sizes(mesh), axis=0),
     )

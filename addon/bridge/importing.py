@@ -12,7 +12,7 @@ import bpy
 import numpy as np
 from bpy.types import Context, Mesh, Object
 
-from .mesh import read_array
+from .mesh import positions
 
 
 class ImportRefusedError(ValueError):
@@ -127,7 +127,7 @@ def _forget_shading(mesh: Mesh, is_split: bool) -> None:
 
 def _weld_distance(mesh: Mesh) -> float:
     """Return the rounding of a mesh's coordinates."""
-    stored = read_array(mesh.vertices, "co", np.float32, 3)
+    stored = positions(mesh)
     return float(np.spacing(np.abs(stored).max(initial=0.0)))
 
 

@@ -18,7 +18,7 @@ from ..geometry.display.colormap import linear_from_srgb
 from ..geometry.display.legend import LIGHT, Layout, Legend, lay_out
 from ..geometry.types import AnyArray, Floats
 from ..report.files import FileRefusedError, written_whole
-from .mesh import read_array
+from .mesh import positions
 
 Direction = tuple[float, float, float]
 
@@ -157,7 +157,7 @@ def _aim_camera(scene: Scene, objects: list[Object], eye: Direction, reserved: i
 
 def _world_positions(obj: Object) -> Floats:
     world = np.array(obj.matrix_world)
-    return read_array(obj.data.vertices, "co", np.float32, 3) @ world[:3, :3].T + world[:3, 3]
+    return positions(obj.data) @ world[:3, :3].T + world[:3, 3]
 
 
 def _render(scene: Scene, temporary: Path) -> AnyArray:

@@ -8,7 +8,7 @@ import numpy as np
 from bpy.types import Mesh
 
 from ..geometry.types import Flags
-from .mesh import read_array
+from .mesh import corner_edges, corner_vertices, polygon_sizes, read_array
 
 _EDGE_SELECTION = ".select_edge"
 
@@ -28,9 +28,9 @@ def select_faces(mesh: Mesh, is_wanted: Flags, extend: bool) -> int:
         is_wanted = is_wanted | read_array(mesh.polygons, "select", np.bool_)
     vertices = np.zeros(len(mesh.vertices), dtype=np.bool_)
     edges = np.zeros(len(mesh.edges), dtype=np.bool_)
-    at_corner = np.repeat(is_wanted, read_array(mesh.polygons, "loop_total", np.int32))
-    vertices[read_array(mesh.loops, "vertex_index", np.int32)[at_corner]] = True
-    edges[read_array(mesh.loops, "edge_index", np.int32)[at_corner]] = True
+    at_corner = np.repeat(is_wanted, polygon_sizes(mesh))
+    vertices[corner_vertices(mesh)[at_corner]] = True
+    edges[corner_edges(mesh)[at_corner]] = True
     # Blender 5.0 keeps a selection of all edges as one value and crashes when single ones are set.
     if _EDGE_SELECTION in mesh.attributes:
         mesh.attributes.remove(mesh.attributes[_EDGE_SELECTION])

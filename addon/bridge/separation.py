@@ -14,7 +14,7 @@ from ..geometry.types import Flags
 from . import names
 from .attributes import read_attribute
 from .collection import link_beside, own_collections, remove_if_empty
-from .mesh import read_array
+from .mesh import corner_vertices, polygon_sizes, positions, read_array
 from .subject import source_of
 
 
@@ -67,15 +67,15 @@ def discard_parts(source: Object) -> bool:
 
 def _part_of(mesh: Mesh, is_wanted: Flags, name: str) -> Mesh:
     """Return a new mesh of some faces of another."""
-    sizes = read_array(mesh.polygons, "loop_total", np.int32)
-    corners = read_array(mesh.loops, "vertex_index", np.int32)[np.repeat(is_wanted, sizes)]
+    sizes = polygon_sizes(mesh)
+    corners = corner_vertices(mesh)[np.repeat(is_wanted, sizes)]
     used, compact = np.unique(corners, return_inverse=True)
     starts = np.concatenate([[0], np.cumsum(sizes[is_wanted])[:-1]])
     part = bpy.data.meshes.new(name)
     part.vertices.add(len(used))
     part.loops.add(len(corners))
     part.polygons.add(int(is_wanted.sum()))
-    position = read_array(mesh.vertices, "co", np.float32, 3)[used]
+    position = positions(mesh)[used]
     part.vertices.foreach_set("co", position.ravel())
     part.loops.foreach_set("vertex_index", compact.reshape(-1).astype(np.int32))
     part.polygons.foreach_set("loop_start", starts.astype(np.int32))

@@ -19,7 +19,7 @@ from . import cache
 from .collection import link_beside, own_collections, remove_if_empty
 from .evaluation import evaluated_mesh, evaluated_object
 from .frame import meters_from_object
-from .mesh import read_array, read_polygon_mesh
+from .mesh import corner_edges, corner_vertices, positions, read_polygon_mesh
 from .names import ATTRIBUTES
 
 
@@ -106,7 +106,7 @@ def read_subject(
     with evaluated_mesh(obj, depsgraph) as mesh:
         polygon_mesh = read_polygon_mesh(mesh, to_meters)
         has_base_topology = _same_topology(mesh, obj.data) and _is_writable(obj.data)
-        stored = read_array(mesh.vertices, "co", np.float32, 3)
+        stored = positions(mesh)
     fingerprint = _fingerprint(stored, polygon_mesh, to_meters, settings)
     analysis = cache.find(fingerprint)
     if analysis is None:
@@ -208,10 +208,7 @@ def _own_copy(source: Object) -> Object | None:
 def _same_topology(one: Mesh, other: Mesh) -> bool:
     counts = [(len(m.vertices), len(m.edges), len(m.polygons), len(m.loops)) for m in (one, other)]
     return counts[0] == counts[1] and all(
-        np.array_equal(
-            read_array(one.loops, name, np.int32), read_array(other.loops, name, np.int32)
-        )
-        for name in ("vertex_index", "edge_index")
+        np.array_equal(read(one), read(other)) for read in (corner_vertices, corner_edges)
     )
 
 
@@ -226,9 +223,9 @@ def _fingerprint(
     for array in (
         _without_rounding(to_meters),
         coordinates,
-        mesh.corner_vertex,
-        mesh.polygon_start,
-        mesh.corner_edge,
+        mesh.corner_vertex.astype(np.int32),
+        mesh.polygon_start.astype(np.int32),
+        mesh.corner_edge.astype(np.int32),
         mesh.edge_is_sharp,
     ):
         digest.update(np.ascontiguousarray(array).data)

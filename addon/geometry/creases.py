@@ -54,7 +54,7 @@ class Edges:
     @property
     def smooth(self) -> Indices:
         """(q, 2) the inner edges that are not creases."""
-        return self.inner[~self.is_crease]
+        return self.inner[~self.is_crease] if self.is_crease.any() else self.inner
 
 
 def find_edges(
@@ -91,11 +91,12 @@ def find_edges(
     pairs = np.stack([first[paired], last[paired]], axis=1)
     starts = mesh.corner_vertex[pairs]
     is_flipped = starts[:, 0] == starts[:, 1]
-    inner = pairs[~is_flipped]
-    sharp = mesh.edge_is_sharp[paired[~is_flipped]]
+    if is_flipped.any():
+        pairs, paired = pairs[~is_flipped], paired[~is_flipped]
+    inner, sharp = pairs, mesh.edge_is_sharp[paired]
 
     polygon = mesh.corner_polygon[inner]
-    is_measured = ~is_degenerate[polygon].any(axis=1)
+    is_measured = ~(is_degenerate[polygon[:, 0]] | is_degenerate[polygon[:, 1]])
     is_folded, is_bent = _folds(area_vectors, polygon, crease_angle)
     is_folded &= is_measured
     return Edges(
@@ -111,12 +112,13 @@ def find_edges(
 
 def _folds(area_vectors: Floats, polygon: Indices, crease_angle: float) -> tuple[Flags, Flags]:
     """Return which pairs of polygons fold by more than the crease angle, and which fold at all."""
-    length = np.linalg.norm(area_vectors, axis=1)
+    length = np.sqrt(np.einsum("ij,ij->i", area_vectors, area_vectors))
     unit = area_vectors / np.where(length > 0.0, length, 1.0)[:, None]
+    one, other = (np.ascontiguousarray(polygon[:, side]) for side in (0, 1))
     cosine = np.zeros(len(polygon))
     for axis in range(3):
         values = np.ascontiguousarray(unit[:, axis])
-        cosine += values[polygon[:, 0]] * values[polygon[:, 1]]
+        cosine += values[one] * values[other]
     # A cosine tells small angles apart badly: those that may be creases are measured as angles.
     is_folded = cosine < np.cos(crease_angle) + _SLACK
     close = np.flatnonzero(is_folded)

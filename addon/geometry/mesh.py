@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
@@ -64,17 +65,15 @@ class PolygonMesh:
         """Number of polygons."""
         return len(self.polygon_start) - 1
 
-    @property
+    @cached_property
     def corner_polygon(self) -> Indices:
         """(c,) polygon of every corner."""
         return np.repeat(np.arange(self.polygon_count), np.diff(self.polygon_start))
 
-    @property
+    @cached_property
     def next_corner(self) -> Indices:
         """(c,) following corner of the same polygon."""
-        following = np.arange(1, len(self.corner_vertex) + 1)
-        following[self.polygon_start[1:] - 1] = self.polygon_start[:-1]
-        return following
+        return _following(self.polygon_start)
 
     @property
     def previous_corner(self) -> Indices:
@@ -120,18 +119,12 @@ def mesh_from_polygons(
     InvalidMeshError
         If the mesh is empty, an index is out of range or a coordinate is not finite.
     """
-    sizes = np.array([len(polygon) for polygon in polygons], dtype=np.int64)
+    sizes, corner_vertex = _corners(polygons)
     start = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
-    corner_vertex = (
-        np.concatenate([np.asarray(polygon, dtype=np.int64) for polygon in polygons])
-        if len(sizes)
-        else np.empty(0, dtype=np.int64)
-    )
     positions = np.array(vertices, dtype=np.float64).reshape(-1, 3)
     _check_sizes(sizes)
-    following = np.arange(1, len(corner_vertex) + 1)
-    following[start[1:] - 1] = start[:-1]
-    corner_edge, edges = number_edges(corner_vertex, corner_vertex[following], len(positions))
+    following = corner_vertex[_following(start)]
+    corner_edge, edges = number_edges(corner_vertex, following, len(positions))
     marked = np.sort(np.array(sharp_edges, dtype=np.int64).reshape(-1, 2), axis=1)
     edge_keys = edges[:, 0] * len(positions) + edges[:, 1]
     triangle_polygon = np.repeat(np.arange(len(sizes)), sizes - 2)
@@ -174,6 +167,24 @@ def number_edges(
     high = np.maximum(start_vertex, end_vertex)
     keys, half_edge_edge = np.unique(low * vertex_count + high, return_inverse=True)
     return half_edge_edge.reshape(-1), np.stack(np.divmod(keys, max(vertex_count, 1)), axis=1)
+
+
+def _corners(polygons: Sequence[Sequence[int]] | Indices) -> tuple[Indices, Indices]:
+    """Return the number of corners of every polygon, and the vertices of all corners."""
+    if isinstance(polygons, np.ndarray) and polygons.ndim == 2:
+        sizes = np.full(len(polygons), polygons.shape[1], dtype=np.int64)
+        return sizes, polygons.astype(np.int64).ravel()
+    sizes = np.array([len(polygon) for polygon in polygons], dtype=np.int64)
+    if not len(sizes):
+        return sizes, np.empty(0, dtype=np.int64)
+    return sizes, np.concatenate([np.asarray(polygon, dtype=np.int64) for polygon in polygons])
+
+
+def _following(polygon_start: Indices) -> Indices:
+    """Return the corner after every corner of its polygon, (c,) int64."""
+    following = np.arange(1, int(polygon_start[-1]) + 1)
+    following[polygon_start[1:] - 1] = polygon_start[:-1]
+    return following
 
 
 def _check_vertices(vertices: Floats) -> None:

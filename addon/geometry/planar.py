@@ -63,7 +63,7 @@ def _may_be_planes(surface: Surface, pairs: Indices) -> Flags:
     tolerance = _PLANARITY * mesh.diagonal + 2.0 * mesh.resolution
     is_wide = surface.polygon_area * _BENT > tolerance * np.sqrt(surface.polygon_area)
     bent = edges.is_bent[~edges.is_crease]
-    telling = pairs[bent & is_wide[pairs].all(axis=1)]
+    telling = pairs[bent & is_wide[pairs[:, 0]] & is_wide[pairs[:, 1]]]
     may[telling.ravel()] = False
     for _ in range(_STEPS):
         if not may.any():

@@ -8,7 +8,7 @@ import numpy as np
 
 from .groups import sum_by_group
 from .mesh import PolygonMesh
-from .types import Flags, Floats
+from .types import Flags, Floats, Indices
 
 #: A triangle whose height is below this share of its longest side has no usable normal.
 _THINNEST = 1e-9
@@ -97,15 +97,17 @@ def _triangle_vectors(mesh: PolygonMesh) -> tuple[Floats, Floats, Floats]:
     return 0.5 * (uy * vz - uz * vy), 0.5 * (uz * vx - ux * vz), 0.5 * (ux * vy - uy * vx)
 
 
-def corner_angles(mesh: PolygonMesh) -> Floats:
-    """Return the interior angle at every corner, (c,) float64 in radians, 0 to pi.
+def corner_angles(mesh: PolygonMesh, corners: Indices) -> Floats:
+    """Return the interior angle at some corners, (k,) float64 in radians, 0 to pi.
 
     A reflex corner counts with its smaller angle: the angles weigh sectors against each other,
     for which the difference does not matter.
     """
-    position = mesh.vertices[mesh.corner_vertex]
-    ahead = position[mesh.next_corner] - position
-    behind = position[mesh.previous_corner] - position
+    here, after, before = (
+        mesh.vertices[mesh.corner_vertex[at]]
+        for at in (corners, mesh.next_corner[corners], mesh.previous_corner[corners])
+    )
+    ahead, behind = after - here, before - here
     return np.arctan2(
         np.linalg.norm(np.cross(ahead, behind), axis=1), np.einsum("ij,ij->i", ahead, behind)
     )

@@ -49,7 +49,7 @@ def weighted_percentiles(values: Floats, weights: Floats, percents: Floats) -> F
     """
     used = weights > 0.0
     values = values[used]
-    order = np.argsort(values, kind="stable")
+    order = np.argsort(values)
     total = np.cumsum(weights[used][order])
     wanted = percents / 100.0 * total[-1]
     slack = _TIE * total[-1]

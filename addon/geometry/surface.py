@@ -84,12 +84,20 @@ class Surface:
     @cached_property
     def vertex_sector(self) -> Indices:
         """(n,) the sector with the largest angle at each vertex, -1 without faces."""
-        return leading_sectors(
-            self.sector_vertex,
-            self.corner_sector,
-            corner_angles(self.mesh),
-            self.mesh.vertex_count,
-        )
+        leading = np.full(self.mesh.vertex_count, -1, dtype=np.int64)
+        leading[self.sector_vertex] = np.arange(self.sector_count)
+        # Angles need measuring only where creases give a vertex several sectors.
+        several = np.bincount(self.sector_vertex, minlength=self.mesh.vertex_count) > 1
+        corners = np.flatnonzero(several[self.mesh.corner_vertex])
+        if len(corners):
+            vertices = np.flatnonzero(several)
+            leading[vertices] = leading_sectors(
+                self.sector_vertex,
+                self.corner_sector[corners],
+                corner_angles(self.mesh, corners),
+                self.mesh.vertex_count,
+            )[vertices]
+        return leading
 
 
 def build_surface(mesh: PolygonMesh, crease_angle: float = DEFAULT_CREASE_ANGLE) -> Surface:

@@ -38,7 +38,9 @@ def test_area_and_angles_of_regular_polygons(sides: int) -> None:
     area = 0.5 * sides * np.sin(2 * np.pi / sides)
     np.testing.assert_allclose(polygon_areas(mesh), [area], rtol=1e-14)
     np.testing.assert_allclose(polygon_area_vectors(mesh), [[0, 0, area]], atol=1e-15)
-    np.testing.assert_allclose(corner_angles(mesh), np.pi * (1 - 2 / sides), rtol=1e-14)
+    np.testing.assert_allclose(
+        corner_angles(mesh, np.arange(sides)), np.pi * (1 - 2 / sides), rtol=1e-14
+    )
 
 
 def test_the_areas_of_triangles_add_up_to_their_polygon() -> None:
@@ -67,7 +69,7 @@ def test_a_polygon_that_is_not_planar_has_newells_normal() -> None:
 
 def test_a_reflex_corner_counts_with_its_smaller_angle() -> None:
     arrow = np.array([[0.0, 0, 0], [1, -1, 0], [0.25, 0, 0], [1, 1, 0]])
-    angles = corner_angles(mesh_from_polygons(arrow, [[0, 1, 2, 3]]))
+    angles = corner_angles(mesh_from_polygons(arrow, [[0, 1, 2, 3]]), np.arange(4))
     assert angles[2] == pytest.approx(2 * np.arctan2(1.0, 0.75), rel=1e-14)
 
 
