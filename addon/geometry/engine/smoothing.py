@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..types import AnyArray, Coordinates, Graph
-from .clusters import coarsen, first_level
+from .clusters import Clusters, coarsen, first_level
 from .patches import Patches, blend, fit_patches
 from .sparse import pieces
 
@@ -25,6 +25,7 @@ from .sparse import pieces
 #: each about doubles the one before.
 RUNGS = (
     (0, 3, 37),
+    (0, 4, 61),
     (1, 2, 92),
     (1, 3, 185),
     (2, 2, 450),
@@ -34,17 +35,22 @@ RUNGS = (
     (4, 2, 10000),
     (4, 3, 22000),
 )
+#: Rings of the patches that small meshes are probed with for noise.
+PROBE = 2
+#: The narrow fit's residual may be less than its noise by this factor (squared), where it has few
+#: points.
+OVERFITTED = 4.0
 #: Meshes with more vertices than this climb in larger steps: they have points to spare, and time
 #: counts.
-MANY = 40_000
+MANY = 12_000
 #: A rung whose noise is below this share of the curvature ends the climb.
 ENOUGH = 0.004
 #: Blended patches average each other's noise: the part of a single patch's variance that remains
 #: (measured 0.5).
 BLENDED = 0.5
 #: A misfit of variance b² over n points acts on the curvature like noise of variance n b² times
-#: this (measured 0.05 to 0.15).
-COHERENCE = 0.09
+#: this (measured 0.001 to 0.03; 0.3 on spheres, whose misfit is even).
+COHERENCE = 0.03
 #: A rung whose noise would exceed this share of the curvature is passed over.
 HOPELESS = 0.12
 #: Variance of a patch of n points that cover an area A: this / (n A²) (measured on round
@@ -96,6 +102,28 @@ def _ring_mean(patches: Patches, values: AnyArray) -> AnyArray:
     return (graph @ (values * weight)) / (graph @ weight)
 
 
+def _probe(
+    coordinates: Coordinates, level: Clusters, normals: AnyArray
+) -> tuple[AnyArray, AnyArray, bool]:
+    """Return the squared residual of the smallest patches, and their sizes.
+
+    Where a mesh is coarse, the first rung shows more of the shape than of the noise.
+    """
+    patches = fit_patches(coordinates, level, PROBE, normals)
+    square = patches.residual**2
+    free = np.maximum(patches.size - 15, 0).astype(float)
+    square = _spread(patches.level.graph, square * free)
+    total = _spread(patches.level.graph, free)
+    return square / np.maximum(total, 1e-9), patches.size, True
+
+
+def _spread(graph: Graph, values: AnyArray) -> AnyArray:
+    """Sum over the nearest rings."""
+    for _ in range(2):
+        values = np.asarray(graph @ values)
+    return values
+
+
 def choose_scale(
     coordinates: Coordinates,
     graph: Graph,
@@ -117,17 +145,18 @@ def choose_scale(
         Priorities for the clustering.
     """
     count = len(scramble)
-    before = narrow.residual / NARROW**2
     noise = np.zeros(count)
-    reached = np.full(count, RUNGS[0][2])
     # a patch must not be most of its piece, and what other pieces allow is nothing to a piece
     piece = pieces(graph)
     room = np.bincount(piece)[piece] / FILLING
+    level, depth = first_level(graph), 0
+    before, reached, is_probed = narrow.residual / NARROW**2, np.full(count, RUNGS[0][2]), False
+    if count <= MANY:
+        before, reached, is_probed = _probe(coordinates, level, normals)
     typical = float(np.median(before))
     ladder: list[tuple[int, Patches, AnyArray]] = []
-    level, depth = first_level(graph), 0
     for rung, (wanted, ring, points) in enumerate(RUNGS):
-        if count > MANY and ring == 3:
+        if count > MANY and ring != 2:
             continue
         last = rung + 2 >= len(RUNGS) or points > room.max()
         if (
@@ -142,7 +171,7 @@ def choose_scale(
         now = square[level.owner]
         # no growth: all of it is noise; growth as of a misfit: none of it
         size = patches.size[level.owner]
-        if rung:  # the first rung reaches no further than the narrow fit: nothing to compare
+        if rung or is_probed:  # the first rung reaches no further than the narrow fit
             # near rims, and in small pieces, patches hardly grow, and neither would a misfit
             growth = np.clip((size / reached) ** 4, 1.0, GROWTH) - 1
             found = before - np.maximum(now - before, 0) / np.maximum(growth, 1.0)
@@ -158,8 +187,8 @@ def choose_scale(
             or (rung and np.mean(now > 4 * noise) > 0.97)
         ):
             break
-    share = np.minimum(noise * NARROW**2 / np.maximum(narrow.residual, 1e-300), 1.0)
-    error = narrow.residual * narrow.variance * (share + NARROW_BIAS * (1 - share))
+    share = np.minimum(noise * NARROW**2 / np.maximum(narrow.residual, 1e-300), OVERFITTED)
+    error = narrow.residual * narrow.variance * (share + NARROW_BIAS * np.maximum(1 - share, 0))
     # smoothing is for noise only: where the shape is what a narrow fit cannot follow, a wide one
     # follows it less
     is_noisy = noise > (WORTH * reference) ** 2 / np.maximum(narrow.variance, 1e-300)
