@@ -63,6 +63,9 @@ WORTH = 0.003
 #: From one rung to the next, which has twice the points, a misfit due to shape grows at least by
 #: this factor (squared).
 GROWTH = 16.0
+#: A misfit due to smooth shape grows with the fourth power of the points or more, at a kink of the
+#: curvature with the square: taken for growth, the power between them keeps noise apart from both.
+STEEP = 3
 #: Residual of the narrow fit over the standard deviation of the heights (measured 0.45 to 0.85).
 NARROW = 0.75
 #: Part of the squared error that the narrow fit's residual predicts when it is due to shape, not
@@ -173,7 +176,7 @@ def choose_scale(
         size = patches.size[level.owner]
         if rung or is_probed:  # the first rung reaches no further than the narrow fit
             # near rims, and in small pieces, patches hardly grow, and neither would a misfit
-            growth = np.clip((size / reached) ** 4, 1.0, GROWTH) - 1
+            growth = np.clip((size / reached) ** STEEP, 1.0, GROWTH) - 1
             found = before - np.maximum(now - before, 0) / np.maximum(growth, 1.0)
             is_told = (growth >= 1) & (points <= room)
             noise = np.maximum(noise, np.where(is_told, np.clip(found, 0, now), 0))
