@@ -6,41 +6,53 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
+from typing import TypeVar
 
-from bpy.types import Context, Object
+from bpy.types import Context, Mesh, Object
 
 from .bridge import cache, display, results
 from .bridge.material import show as show_material
 from .bridge.mode import object_mode
 from .bridge.separation import discard_parts
 from .bridge.subject import (
+    Reading,
     Subject,
     discard_carrier,
     prepare_carrier,
-    read_subject,
+    read_object,
     reveal_carrier,
     source_of,
     users_of,
 )
-from .geometry.analysis import Analysis
 from .geometry.errors import CurvatureError
-from .geometry.segmentation import segment
+from .geometry.progress import part_of
+from .geometry.segmentation import Segmentation, segment
 from .geometry.settings import AnalysisSettings, SegmentationSettings
 from .geometry.tolerance import Tolerance, resolve_tolerance
 from .geometry.types import Progress
+from .steps import Steps, Work
+
+Found = TypeVar("Found")
+
+#: The share of a segmentation's time that the analysis takes.
+_ANALYSIS = 0.7
 
 
 @dataclass
 class Outcome:
     """What became of the objects of a task.
 
-    `carriers` have the results, `analyses` are those by the names of their meshes; `refused` says
-    for each of the others what is wrong with it.
+    `carriers` have the results; `refused` says for each of the others what is wrong with it.
     """
 
     carriers: list[Object] = field(default_factory=list)
-    analyses: dict[str, Analysis] = field(default_factory=dict)
     refused: list[str] = field(default_factory=list)
+
+    @property
+    def meshes(self) -> list[Mesh]:
+        """The meshes of the carriers."""
+        return [carrier.data for carrier in self.carriers]
 
     @property
     def warnings(self) -> list[str]:
@@ -57,8 +69,7 @@ def analyze_objects(
     objects: list[Object],
     settings: AnalysisSettings,
     panel: SegmentationSettings,
-    on_progress: Progress | None = None,
-) -> Outcome:
+) -> Steps[Outcome]:
     """Measure the curvature of objects and show it.
 
     Parameters
@@ -69,18 +80,20 @@ def analyze_objects(
     settings : AnalysisSettings
     panel : SegmentationSettings
         Decides which points count as flat or parabolic.
-    on_progress : callable, optional
 
     Returns
     -------
-    Outcome
+    Steps of Outcome
     """
+
+    def compute(reading: Reading, on_progress: Progress) -> Subject:
+        return reading.analyzed(on_progress)
 
     def write(subject: Subject) -> Object:
         return _write_analysis(context, subject, settings, _tolerance(subject, panel))
 
     with object_mode(context):
-        outcome = _for_each(context, objects, settings, write, on_progress)
+        outcome = yield from _for_each(context, objects, settings, compute, write)
         _show(context, outcome, ("GAUSSIAN", "MEAN", "K1", "K2"))
     return outcome
 
@@ -90,8 +103,7 @@ def segment_objects(
     objects: list[Object],
     settings: AnalysisSettings,
     panel: SegmentationSettings,
-    on_progress: Progress | None = None,
-) -> Outcome:
+) -> Steps[Outcome]:
     """Segment objects into classes and regions, and show the classes.
 
     What is missing or stale of the analysis is measured first.
@@ -103,23 +115,26 @@ def segment_objects(
         Mesh objects; modes are left for the time of the work.
     settings : AnalysisSettings
     panel : SegmentationSettings
-    on_progress : callable, optional
 
     Returns
     -------
-    Outcome
+    Steps of Outcome
     """
 
-    def write(subject: Subject) -> Object:
+    def compute(reading: Reading, on_progress: Progress) -> tuple[Subject, Segmentation]:
+        subject = reading.analyzed(part_of(on_progress, 0.0, _ANALYSIS))
         analysis, tolerance = subject.analysis, _tolerance(subject, panel)
-        segmentation = segment(analysis.surface, analysis.curvature, tolerance, panel.min_area)
-        carrier = _write_analysis(context, subject, settings, tolerance)
+        return subject, segment(analysis.surface, analysis.curvature, tolerance, panel.min_area)
+
+    def write(found: tuple[Subject, Segmentation]) -> Object:
+        subject, segmentation = found
+        carrier = _write_analysis(context, subject, settings, segmentation.tolerance)
         results.write_segmentation(subject, carrier, segmentation)
         display.write_class_colors(carrier.data, context.scene.curvature)
         return carrier
 
     with object_mode(context):
-        outcome = _for_each(context, objects, settings, write, on_progress)
+        outcome = yield from _for_each(context, objects, settings, compute, write)
         _show(context, outcome, ("CLASS", "REGION"))
     return outcome
 
@@ -136,27 +151,25 @@ def _for_each(
     context: Context,
     objects: list[Object],
     settings: AnalysisSettings,
-    write: Callable[[Subject], Object],
-    on_progress: Progress | None,
-) -> Outcome:
-    """Measure and write one object after the other; a refusal stops only its own object."""
+    compute: Callable[[Reading, Progress], Found],
+    write: Callable[[Found], Object],
+) -> Steps[Outcome]:
+    """Read and compute one object after the other, then write all.
+
+    A refusal stops only its own object. Whoever cancels finds everything as it was.
+    """
     outcome = Outcome()
+    computed: list[Found] = []
     for number, obj in enumerate(objects):
-
-        def advance(share: float, before: int = number) -> None:
-            if on_progress:
-                on_progress((before + share) / len(objects))
-
         try:
-            subject = read_subject(
-                obj, context.scene, context.evaluated_depsgraph_get(), settings, advance
+            reading = read_object(obj, context.scene, context.evaluated_depsgraph_get(), settings)
+            found = yield Work(
+                partial(compute, reading), number / len(objects), (number + 1) / len(objects)
             )
-            carrier = write(subject)
-            outcome.carriers.append(carrier)
-            outcome.analyses[carrier.data.name_full] = subject.analysis
+            computed.append(found)
         except CurvatureError as error:
             outcome.refused.append(f"{obj.name}: {error}")
-        advance(1.0)
+    outcome.carriers += [write(found) for found in computed]
     return outcome
 
 
@@ -194,7 +207,8 @@ def _show(context: Context, outcome: Outcome, quantities: tuple[str, ...]) -> No
         return
     settings = context.scene.curvature
     # Setting the quantity recolors every model, also where it stays the same.
-    with cache.trusted(outcome.analyses):
+    written = {mesh.name_full: mesh.curvature.fingerprint for mesh in outcome.meshes}
+    with cache.trusted(written):
         settings.quantity = settings.quantity if settings.quantity in quantities else quantities[0]
 
 

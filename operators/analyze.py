@@ -7,20 +7,19 @@ from __future__ import annotations
 from math import pi
 
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
-from bpy.types import Context, Event, Operator
+from bpy.types import Context, Event
 
 from ..addon import polls, tasks
 from ..addon.bridge.subject import selected_subjects
 from ..addon.choices import adopt_settings, analysis_settings, segmentation_settings
-from ..addon.geometry.errors import CurvatureError
-from ..addon.progress import progress
 from ..addon.properties.items import SMOOTHING_ITEMS
-from ..addon.reporting import conclude
+from ..addon.running import RunningOperator
+from ..addon.steps import Steps
 
 _NAMES = ("smoothing", "smoothing_length", "crease_angle", "flip_normals")
 
 
-class CURVATURE_OT_analyze(Operator):
+class CURVATURE_OT_analyze(RunningOperator):
     """Measure the curvature of the selected meshes and store it as attributes."""
 
     bl_idname = "curvature.analyze"
@@ -30,6 +29,7 @@ class CURVATURE_OT_analyze(Operator):
         "store them as attributes and show them in color"
     )
     bl_options = {"REGISTER", "UNDO"}
+    verb = "Analyzed"
 
     smoothing: EnumProperty(
         name="Smoothing",
@@ -71,18 +71,13 @@ class CURVATURE_OT_analyze(Operator):
     def invoke(self, context: Context, _event: Event) -> set[str]:
         """Start from the scene's settings."""
         adopt_settings(self, context, _NAMES)
-        return self.execute(context)
+        return self.start(context)
 
-    def execute(self, context: Context) -> set[str]:
+    def steps(self, context: Context) -> Steps[tasks.Outcome]:
         """Measure, write and show."""
-        try:
-            settings = analysis_settings(context, self)
-            panel = segmentation_settings(context)
-        except CurvatureError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        with progress(context.window_manager) as advance:
-            outcome = tasks.analyze_objects(
-                context, selected_subjects(context), settings, panel, advance
-            )
-        return conclude(self, outcome, "Analyzed")
+        return tasks.analyze_objects(
+            context,
+            selected_subjects(context),
+            analysis_settings(context, self),
+            segmentation_settings(context),
+        )

@@ -7,19 +7,18 @@ from __future__ import annotations
 from math import pi
 
 from bpy.props import FloatProperty
-from bpy.types import Context, Event, Operator
+from bpy.types import Context, Event
 
 from ..addon import polls, tasks
 from ..addon.bridge.subject import selected_subjects
 from ..addon.choices import adopt_settings, analysis_settings, segmentation_settings
-from ..addon.geometry.errors import CurvatureError
-from ..addon.progress import progress
-from ..addon.reporting import conclude
+from ..addon.running import RunningOperator
+from ..addon.steps import Steps
 
 _NAMES = ("panel_size", "deviation", "crease_angle", "min_area")
 
 
-class CURVATURE_OT_segment(Operator):
+class CURVATURE_OT_segment(RunningOperator):
     """Segment the selected meshes into flat, single-curved and double-curved areas."""
 
     bl_idname = "curvature.segment"
@@ -29,6 +28,7 @@ class CURVATURE_OT_segment(Operator):
         "at the tolerance of the panels"
     )
     bl_options = {"REGISTER", "UNDO"}
+    verb = "Segmented"
 
     panel_size: FloatProperty(
         name="Panel Size (m)",
@@ -73,18 +73,13 @@ class CURVATURE_OT_segment(Operator):
     def invoke(self, context: Context, _event: Event) -> set[str]:
         """Start from the scene's settings."""
         adopt_settings(self, context, _NAMES)
-        return self.execute(context)
+        return self.start(context)
 
-    def execute(self, context: Context) -> set[str]:
+    def steps(self, context: Context) -> Steps[tasks.Outcome]:
         """Measure where needed, segment, write and show."""
-        try:
-            settings = analysis_settings(context, self)
-            panel = segmentation_settings(context, self)
-        except CurvatureError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        with progress(context.window_manager) as advance:
-            outcome = tasks.segment_objects(
-                context, selected_subjects(context), settings, panel, advance
-            )
-        return conclude(self, outcome, "Segmented")
+        return tasks.segment_objects(
+            context,
+            selected_subjects(context),
+            analysis_settings(context, self),
+            segmentation_settings(context, self),
+        )

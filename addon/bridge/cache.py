@@ -17,7 +17,7 @@ from ..geometry.analysis import Analysis
 _MOST_CORNERS = 12_000_000
 
 _kept: OrderedDict[str, Analysis] = OrderedDict()
-_just_written: dict[str, Analysis] = {}
+_just_written: dict[str, str] = {}
 
 
 def find(fingerprint: str) -> Analysis | None:
@@ -36,12 +36,12 @@ def keep(fingerprint: str, analysis: Analysis) -> None:
 
 
 @contextmanager
-def trusted(analyses: Mapping[str, Analysis]) -> Iterator[None]:
+def trusted(fingerprints: Mapping[str, str]) -> Iterator[None]:
     """Take meshes, by their full names, for what was just analyzed, as long as the block runs.
 
     Reading a million faces again, to see that nothing has changed since, takes half a second.
     """
-    _just_written.update(analyses)
+    _just_written.update(fingerprints)
     try:
         yield
     finally:
@@ -50,7 +50,7 @@ def trusted(analyses: Mapping[str, Analysis]) -> Iterator[None]:
 
 def just_written(mesh_name: str) -> Analysis | None:
     """Return the analysis of a mesh that cannot have changed since, None where it may have."""
-    return _just_written.get(mesh_name)
+    return find(_just_written.get(mesh_name, ""))
 
 
 def clear() -> None:

@@ -21,7 +21,7 @@ from .attributes import read_attribute, show_color_attribute, write_attribute
 from .mesh import polygon_sizes
 from .numbers import as_typed
 from .results import settings_of
-from .subject import read_subject, source_of, users_of
+from .subject import read_object, source_of, users_of
 
 CURVATURES = ("GAUSSIAN", "MEAN", "K1", "K2")
 """Quantities that a color map shows; the others have a color per class or region."""
@@ -103,15 +103,17 @@ def _analysis_of_results(context: Context, scene: Scene, obj: Object) -> Analysi
     """Return the analysis of a carrier as it is now, None where its results are of another one."""
     results = obj.data.curvature
     try:
-        subject = read_subject(
+        reading = read_object(
             source_of(obj),
             scene,
             context.evaluated_depsgraph_get(),
             settings_of(obj.data),
         )
+        if reading.fingerprint != results.fingerprint:
+            return None
+        return reading.analyzed().analysis
     except CurvatureError:
         return None
-    return subject.analysis if subject.fingerprint == results.fingerprint else None
 
 
 def _color_by_curvature(

@@ -47,6 +47,38 @@ class Subject:
     has_base_topology: bool
 
 
+@dataclass(frozen=True)
+class Reading:
+    """An object as it was read, not yet analyzed; see `Subject`."""
+
+    source: Object
+    meters_from_object: Floats
+    fingerprint: str
+    mesh: PolygonMesh
+    settings: AnalysisSettings
+    has_base_topology: bool
+
+    def analyzed(self, on_progress: Progress | None = None) -> Subject:
+        """Analyze what was read, or take the analysis from the cache; does not touch Blender.
+
+        Raises
+        ------
+        CurvatureError
+            If the mesh cannot be analyzed; the sentence says why.
+        """
+        analysis = cache.find(self.fingerprint)
+        if analysis is None:
+            analysis = analyze(self.mesh, self.settings, on_progress)
+            cache.keep(self.fingerprint, analysis)
+        return Subject(
+            self.source,
+            self.meters_from_object,
+            self.fingerprint,
+            analysis,
+            self.has_base_topology,
+        )
+
+
 def source_of(obj: Object) -> Object:
     """Return the object that an object's results belong to: itself, unless it was made by us."""
     return obj.curvature.source or obj
@@ -75,14 +107,10 @@ def selected_subjects(context: Context) -> list[Object]:
     return list(found.values())
 
 
-def read_subject(
-    obj: Object,
-    scene: Scene,
-    depsgraph: Depsgraph,
-    settings: AnalysisSettings,
-    on_progress: Progress | None = None,
-) -> Subject:
-    """Analyze the evaluated mesh of an object, or take the analysis from the cache.
+def read_object(
+    obj: Object, scene: Scene, depsgraph: Depsgraph, settings: AnalysisSettings
+) -> Reading:
+    """Read the evaluated mesh of an object.
 
     Parameters
     ----------
@@ -91,11 +119,10 @@ def read_subject(
     scene : Scene
     depsgraph : Depsgraph
     settings : AnalysisSettings
-    on_progress : callable, optional
 
     Returns
     -------
-    Subject
+    Reading
 
     Raises
     ------
@@ -108,11 +135,7 @@ def read_subject(
         has_base_topology = _same_topology(mesh, obj.data) and _is_writable(obj.data)
         stored = positions(mesh)
     fingerprint = _fingerprint(stored, polygon_mesh, to_meters, settings)
-    analysis = cache.find(fingerprint)
-    if analysis is None:
-        analysis = analyze(polygon_mesh, settings, on_progress)
-        cache.keep(fingerprint, analysis)
-    return Subject(obj, to_meters, fingerprint, analysis, has_base_topology)
+    return Reading(obj, to_meters, fingerprint, polygon_mesh, settings, has_base_topology)
 
 
 def prepare_carrier(subject: Subject, scene: Scene, depsgraph: Depsgraph) -> Object:

@@ -29,6 +29,7 @@ from ..reporting import (
     scene_document,
     shares_text,
 )
+from ..steps import complete
 from .arguments import PROGRAM, parse_arguments
 from .outputs import Outputs, plan_outputs
 from .streams import Console, console, silent_importers
@@ -93,12 +94,11 @@ def _segment_model(
         objects = importing.load_model(bpy.context, model, options.up)
     context = bpy.context
     _apply_settings(options)
-    outcome = tasks.segment_objects(
-        context,
-        objects,
-        analysis_settings(context),
-        segmentation_settings(context),
-        lambda share: screen.progress(f"  {100.0 * share:3.0f} %"),
+    outcome = complete(
+        tasks.segment_objects(
+            context, objects, analysis_settings(context), segmentation_settings(context)
+        ),
+        screen.percentages(),
     )
     if not outcome.carriers:
         raise CurvatureError("; ".join(outcome.refused))

@@ -12,6 +12,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TextIO
 
+from ..geometry.types import Progress
+
 
 @dataclass
 class Console:
@@ -32,6 +34,19 @@ class Console:
         """Write a line of progress."""
         if not self.is_quiet:
             self.error(text)
+
+    def percentages(self) -> Progress:
+        """Return what writes the share that is done, a line per tenth."""
+        written = -1
+
+        def advance(share: float) -> None:
+            nonlocal written
+            tenth = int(10.0 * share + 1e-6)
+            if tenth > written:
+                written = tenth
+                self.progress(f"  {10 * tenth:3d} %")
+
+        return advance
 
     def error(self, text: str) -> None:
         """Write a line to the standard error."""

@@ -117,7 +117,7 @@ def test_every_panel_draws_and_measures_nothing(
         pytest.fail("a panel reads or analyzes a mesh while it draws")
 
     for module in (display, subject):
-        monkeypatch.setattr(module, "read_subject", refuse)
+        monkeypatch.setattr(module, "read_object", refuse)
     for panel in _panels():
         _draw(panel.__name__.removeprefix("CURVATURE_PT_"))
 

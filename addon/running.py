@@ -1,0 +1,82 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Operators whose work takes time: the window stays alive, Esc cancels."""
+
+from __future__ import annotations
+
+from bpy.types import Context, Event, Operator
+
+from .geometry.errors import CurvatureError
+from .progress import progress
+from .reporting import conclude
+from .steps import Run, Steps, complete
+from .tasks import Outcome
+
+#: Seconds that a user does not notice: short work ends before the window is shown again.
+_PATIENCE = 0.3
+#: Seconds between two looks at the work.
+_TICK = 0.1
+
+
+class RunningOperator(Operator):
+    """An operator that runs a task: at once from a script, beside the window from a button."""
+
+    verb = "Done"
+
+    def steps(self, context: Context) -> Steps[Outcome]:
+        """Return the task; may raise what is wrong with the settings."""
+        raise NotImplementedError
+
+    def execute(self, context: Context) -> set[str]:
+        """Run the task to its end."""
+        try:
+            steps = self.steps(context)
+        except CurvatureError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        with progress(context.window_manager) as advance:
+            outcome = complete(steps, advance)
+        return conclude(self, outcome, self.verb)
+
+    def start(self, context: Context) -> set[str]:
+        """Run the task beside the window."""
+        try:
+            self._run = Run(self.steps(context))
+        except CurvatureError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        if self._run.advance(_PATIENCE):
+            return conclude(self, self._run.result, self.verb)
+        manager = context.window_manager
+        self._timer = manager.event_timer_add(_TICK, window=context.window)
+        manager.progress_begin(0, 100)
+        manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context: Context, event: Event) -> set[str]:
+        """Look whether the work is done; everything but Esc waits for it."""
+        if event.type == "ESC":
+            self._run.cancel()
+            self._leave(context)
+            self.report({"INFO"}, f"{self.bl_label} was cancelled: nothing has changed")
+            return {"CANCELLED"}
+        if event.type != "TIMER":
+            return {"RUNNING_MODAL"}
+        if not self._run.advance(0.0):
+            share = round(100.0 * self._run.share)
+            context.window_manager.progress_update(share)
+            context.workspace.status_text_set(f"{self.bl_label}: {share} %    Esc: Cancel")
+            return {"RUNNING_MODAL"}
+        self._leave(context)
+        return conclude(self, self._run.result, self.verb)
+
+    def cancel(self, context: Context) -> None:
+        """Stop with Blender, or with the file that is closed."""
+        self._run.cancel()
+        self._leave(context)
+
+    def _leave(self, context: Context) -> None:
+        manager = context.window_manager
+        manager.event_timer_remove(self._timer)
+        manager.progress_end()
+        context.workspace.status_text_set(None)
