@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .planar import planar_polygons, sectors_of
+from .progress import part_of
 from .settings import Smoothing
 from .surface import Surface
 from .types import Flags, Floats, Progress
@@ -121,6 +122,7 @@ def estimate_curvature(
         surface.sector_triangles,
         rounding_step=mesh.resolution,
         smoothing=_SCALES.get(smoothing, smoothing_length),
+        on_progress=part_of(on_progress, 0.0, 0.85),
     )
     if on_progress:
         on_progress(0.9)

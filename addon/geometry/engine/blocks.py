@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..types import AnyArray, Coordinates, Graph
+from ..types import AnyArray, Coordinates, Graph, Progress
 from .jet_fit import UNDETERMINED, JetOptions, fit_jets, shape_operator
 from .neighborhoods import padded_table, rings
 
@@ -77,23 +77,27 @@ def fit_into(
     vertices: AnyArray,
     ring: int,
     options: JetOptions,
+    on_progress: Progress | None = None,
 ) -> None:
     """Fit the chosen vertices over so many rings and store what was found.
 
     Blocks of vertices are independent, and numpy lets go of the interpreter while it works: two or
     more processors share them.
     """
-    blocks = [vertices[start : start + ROWS] for start in range(0, len(vertices), ROWS)]
+    starts = range(0, len(vertices), ROWS)
 
-    def work(block: AnyArray) -> None:
+    def work(start: int) -> None:
+        if on_progress:
+            on_progress(start / len(vertices))
+        block = vertices[start : start + ROWS]
         _fit_block(fit, coordinates, rings(graph, walk, block, ring), normals, block, options)
 
-    if len(blocks) < 2 or WORKERS < 2:
-        for block in blocks:
-            work(block)
+    if len(starts) < 2 or WORKERS < 2:
+        for start in starts:
+            work(start)
         return
     with ThreadPoolExecutor(WORKERS) as workers:
-        list(workers.map(work, blocks))
+        list(workers.map(work, starts))
 
 
 def _fit_block(

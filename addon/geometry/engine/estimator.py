@@ -6,7 +6,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..types import AnyArray
+from ..progress import part_of
+from ..types import AnyArray, Progress
 from .blocks import NarrowFit
 from .developable import apexes, refine_developable, without
 from .estimate import (
@@ -41,6 +42,7 @@ def estimate_curvature(
     *,
     rounding_step: float = 0.0,
     smoothing: str | float = "AUTO",
+    on_progress: Progress | None = None,
 ) -> Estimate:
     """Return the curvature at every vertex of triangles that form smooth sectors.
 
@@ -60,6 +62,8 @@ def estimate_curvature(
         The step to which coordinates were rounded before (m), as by float32 storage; 0 if none.
     smoothing : "AUTO", "NONE" or float
         Choose the scale by noise; never smooth; or take everything below this length (m) for noise.
+    on_progress : callable, optional
+        Receives the share of the work that is done; may raise to stop it.
 
     Returns
     -------
@@ -116,7 +120,16 @@ def estimate_curvature(
 
     def narrow(mask: AnyArray) -> Narrow:
         """Fit chosen vertices, store what was found and return it for the choice of scale."""
-        fit = narrow_fit(coordinates, open_graph, open_walk, normals, edge, mask, how)
+        fit = narrow_fit(
+            coordinates,
+            open_graph,
+            open_walk,
+            normals,
+            edge,
+            mask,
+            how,
+            part_of(on_progress, 0.15, 0.6),
+        )
         exact = refine_developable(
             fit,
             coordinates,
@@ -140,6 +153,7 @@ def estimate_curvature(
         result.noise[mask] = np.sqrt(square)[mask]
         return Narrow(CALIBRATION * fit.variance, square)
 
+    wide = part_of(on_progress, 0.6, 1.0)
     pilot = (
         pilot_fit(coordinates, open_graph, open_walk, normals, usable)
         if smoothing == "AUTO"
@@ -150,7 +164,7 @@ def estimate_curvature(
             np.full(count, np.inf), np.full(count, float(np.median(pilot.residual)) ** 2)
         )
         choice = choose_scale(
-            coordinates, open_walk, normals, blind, area, _reference(pilot, extent), scramble
+            coordinates, open_walk, normals, blind, area, _reference(pilot, extent), scramble, wide
         )
         changed = (choice.rung >= 0) & usable
         if (usable & ~changed).any():
@@ -165,7 +179,7 @@ def estimate_curvature(
         if usable.any() and smoothing != "NONE" and (smoothing != "AUTO" or noisy.mean() > COMMON):
             if smoothing == "AUTO":
                 choice = choose_scale(
-                    coordinates, open_walk, normals, fitted, area, reference, scramble
+                    coordinates, open_walk, normals, fitted, area, reference, scramble, wide
                 )
             else:
                 choice = smooth_at(

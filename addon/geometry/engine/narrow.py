@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..types import AnyArray, Coordinates, Graph
+from ..types import AnyArray, Coordinates, Graph, Progress
 from .blocks import NarrowFit, empty_fit, fit_into
 from .jet_fit import UNDETERMINED, JetOptions
 from .recipes import NEAR_RIM, NEAREST, PARABOLOID, RIM, TWO_RINGS, ordinary
@@ -49,6 +49,7 @@ def narrow_fit(
     rim: AnyArray,
     sound: AnyArray,
     how: tuple[int, JetOptions],
+    on_progress: Progress | None = None,
 ) -> NarrowFit:
     """Fit every sound vertex.
 
@@ -66,10 +67,13 @@ def narrow_fit(
     near = (np.asarray(graph @ rim.astype(np.float32)) > 0) & ~rim
     ring, options = how
 
-    def run(mask: AnyArray, count: int, how: JetOptions) -> None:
-        fit_into(fit, coordinates, graph, walk, normals, np.flatnonzero(mask & sound), count, how)
+    def run(
+        mask: AnyArray, count: int, how: JetOptions, on_progress: Progress | None = None
+    ) -> None:
+        chosen = np.flatnonzero(mask & sound)
+        fit_into(fit, coordinates, graph, walk, normals, chosen, count, how, on_progress)
 
-    run(~near & ~rim, ring, options)
+    run(~near & ~rim, ring, options, on_progress)
     weak = (fit.condition > WEAK) & ~near & ~rim
     run(weak, ring + 1, options)
     normals = leaning_normals(graph, normals, near | rim)

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..types import AnyArray, Coordinates, Graph
+from ..types import AnyArray, Coordinates, Graph, Progress
 from .clusters import Clusters, coarsen, first_level
 from .patches import Patches, blend, fit_patches
 from .sparse import pieces
@@ -135,6 +135,7 @@ def choose_scale(
     area: float,
     reference: float,
     scramble: AnyArray,
+    on_progress: Progress | None = None,
 ) -> Choice:
     """Climb the ladder of scales and keep the best rung of every vertex.
 
@@ -146,6 +147,7 @@ def choose_scale(
         The curvature that errors are compared with (1/m).
     scramble : (n,)
         Priorities for the clustering.
+    on_progress : callable, optional
     """
     count = len(scramble)
     noise = np.zeros(count)
@@ -159,6 +161,8 @@ def choose_scale(
     typical = float(np.median(before))
     ladder: list[tuple[int, Patches, AnyArray]] = []
     for rung, (wanted, ring, points) in enumerate(RUNGS):
+        if on_progress:
+            on_progress(rung / len(RUNGS))
         if count > MANY and ring != 2:
             continue
         last = rung + 2 >= len(RUNGS) or points > room.max()
