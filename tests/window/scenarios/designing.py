@@ -36,7 +36,8 @@ def scenario(model: str) -> Steps:
 
     yield from press("curvature.segment")
     yield until(lambda: "Curvature Class" in obj.data.color_attributes)
-    yield wait(1.0)
+    # Anti-aliasing goes on for a while after the colors are there.
+    yield wait(2.5)
     record(
         color_type=view3d().spaces.active.shading.color_type,
         shares={row.surface_class: row.share for row in obj.data.curvature.classes},
@@ -45,6 +46,7 @@ def scenario(model: str) -> Steps:
 
     yield from press("curvature.show_legend")
     record(legend_after_press=settings.show_legend)
+    yield wait(2.5)
     yield shot("no_legend")
     yield from press("curvature.show_legend")
 
