@@ -14,7 +14,7 @@ import threading
 import time
 from pathlib import Path
 
-from . import plots, report
+from . import plots, report, whole_operator
 from .engine import ROOT
 from .peers import DEFAULT, LIMIT, METHODS, OURS
 
@@ -50,7 +50,7 @@ def run(*, quick: bool, largest: int) -> None:
                 print(lines[-1], flush=True)
                 curves.setdefault((kind, method), []).append((size, seconds))
     if not (quick or largest):
-        report.write({"speed": "\n".join(lines)})
+        report.write({"speed": "\n".join(lines), "operator": whole_operator.measure()})
         plots.times(curves)
 
 
