@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,6 +13,9 @@ from .planar import planar_polygons, sectors_of
 from .settings import Smoothing
 from .surface import Surface
 from .types import Flags, Floats, Progress
+
+if TYPE_CHECKING:
+    from .engine.estimate import Estimate
 
 #: Scales of smoothing as the engine takes them.
 _SCALES = {Smoothing.AUTO: "AUTO", Smoothing.NONE: "NONE"}
@@ -46,6 +50,8 @@ class Curvature:
         Principal curvatures of the polygons in 1/m; zero where undefined.
     is_face_defined : (m,) bool
         False for polygons without area or without any defined corner.
+    noise : float
+        Standard deviation in meters by which most sectors leave a smooth surface.
     """
 
     k1: Floats
@@ -60,6 +66,7 @@ class Curvature:
     face_k1: Floats
     face_k2: Floats
     is_face_defined: Flags
+    noise: float = 0.0
 
     @property
     def gaussian(self) -> Floats:
@@ -112,8 +119,6 @@ def estimate_curvature(
     # The engine loads scipy, which Blender's start must not pay for.
     from .engine import estimator
     from .engine.estimate import FALLBACK, SMOOTHED
-    from .engine.faces import polygon_curvature
-    from .engine.turning import facets_of_polygons
 
     mesh = surface.mesh
     estimate = estimator.estimate_curvature(
@@ -124,13 +129,7 @@ def estimate_curvature(
     )
     if on_progress:
         on_progress(0.9)
-    face_k1, face_k2 = polygon_curvature(
-        surface.sector_position,
-        (surface.corner_sector, mesh.polygon_start),
-        (surface.sector_triangles, mesh.triangle_polygon),
-        facets_of_polygons(surface.polygon_vector, surface.polygon_area),
-        estimate,
-    )
+    face_k1, face_k2 = _polygon_curvature(surface, estimate)
     is_flat_face = planar_polygons(surface)
     is_flat = sectors_of(surface, is_flat_face)
     for values in (
@@ -159,4 +158,60 @@ def estimate_curvature(
         face_k1=face_k1,
         face_k2=face_k2,
         is_face_defined=is_face_defined,
+        noise=estimate.roughness,
+    )
+
+
+def with_sector_values(surface: Surface, curvature: Curvature, k1: Floats, k2: Floats) -> Curvature:
+    """Return curvature with other values at some sectors, and what polygons make of them.
+
+    Parameters
+    ----------
+    surface : Surface
+    curvature : Curvature
+    k1, k2 : (s,) float64
+        In 1/m; polygons without a sector where they differ from the curvature's own keep theirs.
+
+    Returns
+    -------
+    Curvature
+    """
+    from .engine.estimate import TRUSTED, UNDEFINED, Estimate
+
+    changed = (k1 != curvature.k1) | (k2 != curvature.k2)
+    start = surface.mesh.polygon_start[:-1]
+    touched = np.logical_or.reduceat(changed[surface.corner_sector], start)
+    touched &= curvature.is_face_defined
+    if not touched.any():
+        return curvature
+    values = _polygon_curvature(
+        surface,
+        Estimate(
+            k1=k1,
+            k2=k2,
+            direction_1=curvature.direction_1,
+            direction_2=curvature.direction_2,
+            normals=curvature.normal,
+            quality=np.where(curvature.is_defined, TRUSTED, UNDEFINED),
+            error=curvature.uncertainty,
+            noise=np.zeros(len(k1)),
+        ),
+    )
+    face_k1, face_k2 = (
+        np.where(touched, new, old)
+        for new, old in zip(values, (curvature.face_k1, curvature.face_k2), strict=True)
+    )
+    return replace(curvature, k1=k1, k2=k2, face_k1=face_k1, face_k2=face_k2)
+
+
+def _polygon_curvature(surface: Surface, estimate: Estimate) -> tuple[Floats, Floats]:
+    from .engine.faces import polygon_curvature
+    from .engine.turning import facets_of_polygons
+
+    return polygon_curvature(
+        surface.sector_position,
+        (surface.corner_sector, surface.mesh.polygon_start),
+        (surface.sector_triangles, surface.mesh.triangle_polygon),
+        facets_of_polygons(surface.polygon_vector, surface.polygon_area),
+        estimate,
     )
