@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from bpy.types import Context, Object
 
 from .bridge import cache, display, results
+from .bridge.criteria import preset_of
 from .bridge.material import show as show_material
 from .bridge.mode import object_mode
 from .bridge.separation import discard_parts
@@ -23,10 +24,10 @@ from .bridge.subject import (
     users_of,
 )
 from .geometry.analysis import Analysis
+from .geometry.criterion import Criterion, resolve_criterion
 from .geometry.errors import CurvatureError
 from .geometry.segmentation import segment
 from .geometry.settings import AnalysisSettings, SegmentationSettings
-from .geometry.tolerance import Tolerance, resolve_tolerance
 from .geometry.types import Progress
 
 
@@ -77,7 +78,7 @@ def analyze_objects(
     """
 
     def write(subject: Subject) -> Object:
-        return _write_analysis(context, subject, settings, _tolerance(subject, panel))
+        return _write_analysis(context, subject, settings, _criterion(subject, panel))
 
     with object_mode(context):
         outcome = _for_each(context, objects, settings, write, on_progress)
@@ -111,10 +112,11 @@ def segment_objects(
     """
 
     def write(subject: Subject) -> Object:
-        analysis, tolerance = subject.analysis, _tolerance(subject, panel)
-        segmentation = segment(analysis.surface, analysis.curvature, tolerance, panel.min_area)
-        carrier = _write_analysis(context, subject, settings, tolerance)
-        results.write_segmentation(subject, carrier, segmentation)
+        analysis, criterion = subject.analysis, _criterion(subject, panel)
+        segmentation = segment(analysis.surface, analysis.curvature, criterion, panel.min_area)
+        carrier = _write_analysis(context, subject, settings, criterion)
+        preset = preset_of(context.scene, panel)
+        results.write_segmentation(subject, carrier, segmentation, preset)
         display.write_class_colors(carrier.data, context.scene.curvature)
         return carrier
 
@@ -161,14 +163,14 @@ def _for_each(
 
 
 def _write_analysis(
-    context: Context, subject: Subject, settings: AnalysisSettings, tolerance: Tolerance
+    context: Context, subject: Subject, settings: AnalysisSettings, criterion: Criterion
 ) -> Object:
     _drop_results_elsewhere(context, subject)
     carrier = prepare_carrier(subject, context.scene, context.evaluated_depsgraph_get())
     if not results.is_current(carrier.data, subject):
         results.write_curvature(subject, carrier, settings)
         display.write_curvature_colors(carrier.data, subject.analysis, context.scene.curvature)
-    results.write_point_types(carrier.data, subject.analysis, tolerance)
+    results.write_point_types(carrier.data, subject.analysis, criterion)
     reveal_carrier(context, subject.source, carrier)
     return carrier
 
@@ -182,10 +184,8 @@ def _drop_results_elsewhere(context: Context, subject: Subject) -> None:
         results.clear_results(source.data)
 
 
-def _tolerance(subject: Subject, panel: SegmentationSettings) -> Tolerance:
-    return resolve_tolerance(
-        panel.panel_size, panel.deviation, subject.analysis.surface.mesh.diagonal
-    )
+def _criterion(subject: Subject, panel: SegmentationSettings) -> Criterion:
+    return resolve_criterion(panel, subject.analysis.surface.mesh.diagonal)
 
 
 def _show(context: Context, outcome: Outcome, quantities: tuple[str, ...]) -> None:

@@ -11,7 +11,7 @@ from bpy.types import Context, Event, Operator
 
 from ..addon import polls, tasks
 from ..addon.bridge.subject import selected_subjects
-from ..addon.choices import adopt_settings, analysis_settings, segmentation_settings
+from ..addon.choices import adopt_settings, analysis_settings, point_settings
 from ..addon.geometry.errors import CurvatureError
 from ..addon.progress import progress
 from ..addon.properties.items import SMOOTHING_ITEMS
@@ -77,7 +77,7 @@ class CURVATURE_OT_analyze(Operator):
         """Measure, write and show."""
         try:
             settings = analysis_settings(context, self)
-            panel = segmentation_settings(context)
+            panel = point_settings(context)
         except CurvatureError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}

@@ -35,6 +35,12 @@ class Layout:
     def separator(self, **_options: object) -> None:
         """Leave a gap."""
 
+    def menu(self, name: str, *, text: str = "", icon: str = "NONE") -> None:
+        """Keep what a menu shows, which must exist."""
+        assert icon in _ICONS, icon
+        assert hasattr(bpy.types, name), name
+        self.texts.append(text)
+
     def prop(
         self, owner: bpy.types.bpy_struct, name: str, *, icon: str = "NONE", **_options: object
     ) -> None:

@@ -111,6 +111,9 @@ def _parser() -> argparse.ArgumentParser:
     commands.add_parser(
         "samples", help="write the sample models of assets/models from their formulas"
     ).set_defaults(run=_samples)
+    commands.add_parser(
+        "presets", help="write the presets of assets/presets from their table"
+    ).set_defaults(run=_presets)
 
     window = commands.add_parser(
         "window", help="test in a windowed Blender; arguments after -- go to pytest"
@@ -195,6 +198,14 @@ def _samples(_options: argparse.Namespace) -> int:
     from . import samples
 
     for path in samples.write(ROOT / "assets" / "models"):
+        print(path.relative_to(ROOT))
+    return 0
+
+
+def _presets(_options: argparse.Namespace) -> int:
+    from . import materials
+
+    for path in materials.write(ROOT / "assets"):
         print(path.relative_to(ROOT))
     return 0
 
