@@ -112,7 +112,7 @@ def _parser() -> argparse.ArgumentParser:
         "samples", help="write the sample models of assets/models from their formulas"
     ).set_defaults(run=_samples)
     commands.add_parser(
-        "presets", help="write the presets of assets/presets from their table"
+        "presets", help="write assets/presets and docs/materials.md from their table"
     ).set_defaults(run=_presets)
 
     window = commands.add_parser(
@@ -205,7 +205,9 @@ def _samples(_options: argparse.Namespace) -> int:
 def _presets(_options: argparse.Namespace) -> int:
     from . import materials
 
-    for path in materials.write(ROOT / "assets"):
+    guide = ROOT / "docs" / "materials.md"
+    guide.write_bytes(materials.guide_text().encode())
+    for path in (*materials.write(ROOT / "assets"), guide):
         print(path.relative_to(ROOT))
     return 0
 

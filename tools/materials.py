@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from importlib import import_module
+from math import floor
 from pathlib import Path
 
 # By name: the package is called addon here, and otherwise where it is installed.
@@ -37,10 +38,15 @@ def _glass(millimeters: int) -> Material:
     )
 
 
+def _millimeters(inches: float) -> str:
+    """Return a thickness with one decimal, halves rounded up as tables do."""
+    return str(floor(254.0 * inches + 0.5) / 10.0)
+
+
 def _plywood(thickness: str, inches: float, feet: tuple[int, int]) -> list[Material]:
     return [
         Material(
-            f"Plywood {25.4 * inches:.1f} mm {grain.title()} Grain",
+            f"Plywood {_millimeters(inches)} mm {grain.title()} Grain",
             round(radius * _FOOT, 4),
             f"APA, {thickness} in bent {grain} the grain to {radius} ft "
             "(Concrete Construction, Curving plywood forms)",
@@ -52,7 +58,7 @@ def _plywood(thickness: str, inches: float, feet: tuple[int, int]) -> list[Mater
 def _aircraft_plywood(inches: float, radii: tuple[float, float]) -> list[Material]:
     return [
         Material(
-            f"Aircraft Plywood {25.4 * inches:.1f} mm {angle.title()} Degrees",
+            f"Aircraft Plywood {_millimeters(inches)} mm {angle} Degrees",
             round(radius * _INCH, 4),
             f"FAA AC 43.13-1B, {inches:.3f} in bent dry on a cold mandrel to {radius:g} in, "
             f"axis at {angle} degrees to the face grain (engineersedge.com)",
@@ -99,6 +105,18 @@ MATERIALS = (
 """In the order of the guide; Blender's menu sorts by name."""
 
 
+_GUIDE = """# Material presets
+
+What the menu *Presets* of the panel *Segmentation* offers; `python3 dev.py presets` writes presets and this page from
+one table, `tools/materials.py`. A radius is the smallest that its source bends the sheet to: whatever bends less than that
+counts as straight, because the flat sheet takes it. **Example** marks what has no source: set the value of your
+fabricator, and save it as a preset of your own by the button with the plus. Treat all of them as a start for a talk with
+the fabricator: coatings, edges, grain, temper and fixings change them.
+
+| preset | smallest radius m | source |
+|---|---|---|"""
+
+
 def preset_files() -> dict[str, str]:
     """Return the text of every preset by its path below assets."""
     return {
@@ -110,6 +128,15 @@ def preset_files() -> dict[str, str]:
         )
         for material in MATERIALS
     }
+
+
+def guide_text() -> str:
+    """Return the page of the guide with every material, its radius and its source."""
+    rows = [
+        f"| {material.name} | {material.smallest_radius:g} | {material.source} |"
+        for material in MATERIALS
+    ]
+    return "\n".join((_GUIDE, *rows, ""))
 
 
 def write(assets: Path) -> list[Path]:

@@ -16,7 +16,8 @@ _USUAL_WIDTH = 280.0
 
 def wrap(sentence: str, context: Context) -> list[str]:
     """Return the lines of a sentence for the width of the region at hand."""
-    scale = context.preferences.system.ui_scale
+    # Without a window, Blender has no region and no scale yet.
+    scale = context.preferences.system.ui_scale or 1.0
     region = context.region
     width = region.width if region else _USUAL_WIDTH * scale
     letters = (width / scale - _ICON_AND_MARGINS) / _PIXELS_PER_LETTER

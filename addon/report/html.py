@@ -140,7 +140,8 @@ def _criterion_sentence(block: dict[str, Any]) -> str:
     return (
         f"Panels of {block['panel_size']:.4g} m that may deviate by "
         f"{1000.0 * block['deviation']:.3g} mm are straight above a radius of {radius:.4g} m. "
-        f"Single-curved means within {1000.0 * block['deviation']:.3g} mm of a cylinder."
+        f"Single-curved means within {1000.0 * block['deviation']:.3g} mm of a cylinder "
+        f"over a {block['panel_size']:.4g} m panel."
     )
 
 
