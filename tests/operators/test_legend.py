@@ -152,9 +152,9 @@ def test_tolerance_is_said_in_feet_and_inches_where_the_scene_has_them() -> None
     bpy.context.scene.unit_settings.system = "IMPERIAL"
     bpy.ops.curvature.segment(panel_size=1.524, deviation=0.00635)
     words = " ".join(_legend().notes)
-    assert "within 0.25 in of a cylinder over a 5 ft panel" in words.replace('"', " in").replace(
-        "'", " ft"
-    )
+    assert "within 250 thou of a cylinder over a 5' panel" in words
+    # (5 ft)² / (8 · 1/4 in) = 25 · 144 / 2 in = 150 ft.
+    assert words.endswith("straight above a radius of 150'")
 
 
 def test_smallest_radius_and_its_preset_are_said() -> None:

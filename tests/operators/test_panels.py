@@ -214,7 +214,7 @@ def test_segmentation_panel_has_the_fields_that_matter(criterion: str, fields: l
     bpy.context.scene.curvature.criterion = criterion
     shown = _draw("segmentation")
     assert shown.properties == ["criterion", *fields, "min_area_shown", "crease_angle"]
-    asks = "Set the limits, or choose a preset" in shown.texts
+    asks = "Set the limits, or choose a preset" in " ".join(shown.texts)
     assert asks == (criterion != "PANEL")
 
 
