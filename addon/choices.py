@@ -4,10 +4,26 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from bpy.types import Context, Operator
 
 from .bridge.numbers import as_typed, as_typed_angle
-from .geometry.settings import AnalysisSettings, SegmentationSettings, Smoothing
+from .geometry.errors import InvalidSettingError
+from .geometry.settings import (
+    AnalysisSettings,
+    CriterionKind,
+    SegmentationSettings,
+    Smoothing,
+)
+
+LIMITS = {
+    "deviation": CriterionKind.PANEL,
+    "smallest_radius": CriterionKind.RADIUS,
+    "gaussian_limit": CriterionKind.RAW,
+    "mean_limit": CriterionKind.RAW,
+}
+"""Which criterion a limit is of; the panel size counts with all of them."""
 
 
 def adopt_settings(operator: Operator, context: Context, names: tuple[str, ...]) -> None:
@@ -33,10 +49,26 @@ def analysis_settings(context: Context, operator: Operator | None = None) -> Ana
     )
 
 
+def implied_criterion(told: set[str]) -> CriterionKind | None:
+    """Return the criterion that limits are of, by their names; None where there are none.
+
+    Raises
+    ------
+    InvalidSettingError
+        If limits of several criteria are given.
+    """
+    kinds = {LIMITS[name]: name.replace("_", " ") for name in sorted(told & LIMITS.keys())}
+    if len(kinds) > 1:
+        raise InvalidSettingError(
+            f"{' and '.join(sorted(kinds.values()))} belong to different criteria: give one of them"
+        )
+    return next(iter(kinds), None)
+
+
 def segmentation_settings(
     context: Context, operator: Operator | None = None
 ) -> SegmentationSettings:
-    """Return how to segment.
+    """Return how to segment; an operator's limit brings its criterion if none is told.
 
     Raises
     ------
@@ -44,10 +76,42 @@ def segmentation_settings(
         If a value makes no sense.
     """
     return SegmentationSettings(
+        criterion=_choose_criterion(context, operator),
+        smallest_radius=as_typed(float(_choose(context, operator, "smallest_radius"))),
+        gaussian_limit=as_typed(float(_choose(context, operator, "gaussian_limit"))),
+        mean_limit=as_typed(float(_choose(context, operator, "mean_limit"))),
         panel_size=as_typed(float(_choose(context, operator, "panel_size"))),
         deviation=as_typed(float(_choose(context, operator, "deviation"))),
         min_area=as_typed(float(_choose(context, operator, "min_area"))),
     )
+
+
+def point_settings(context: Context) -> SegmentationSettings:
+    """Return what tells flat points from curved ones: measuring need not wait for limits.
+
+    Raises
+    ------
+    InvalidSettingError
+        If a value makes no sense.
+    """
+    settings = segmentation_settings(context)
+    limits = {
+        CriterionKind.PANEL: True,
+        CriterionKind.RADIUS: settings.smallest_radius > 0.0,
+        CriterionKind.RAW: settings.gaussian_limit > 0.0 and settings.mean_limit > 0.0,
+    }
+    return (
+        settings if limits[settings.criterion] else replace(settings, criterion=CriterionKind.PANEL)
+    )
+
+
+def _choose_criterion(context: Context, operator: Operator | None) -> CriterionKind:
+    if operator is not None and not operator.properties.is_property_set("criterion"):
+        told = {name for name in LIMITS if getattr(operator, name) > 0.0}
+        implied = implied_criterion(told)
+        if implied is not None:
+            return implied
+    return CriterionKind[str(_choose(context, operator, "criterion"))]
 
 
 def _choose(context: Context, operator: Operator | None, name: str) -> str | float:

@@ -41,6 +41,14 @@ def has_classes(operator: type[Operator], context: Context) -> bool:
     return True
 
 
+def has_scene(operator: type[Operator], context: Context) -> bool:
+    """Ask for a scene: Blender has none while it loads a file."""
+    if context.scene is None:
+        operator.poll_message_set("Open a scene first")
+        return False
+    return True
+
+
 def _selected_meshes(context: Context) -> list[Object]:
     objects = [*context.selected_objects, *context.objects_in_mode_unique_data]
     return [obj for obj in objects if obj.type == "MESH"]

@@ -7,9 +7,9 @@ from __future__ import annotations
 from contextlib import ExitStack
 
 from .. import operators
-from . import cli, handlers, overlay, panels, properties
+from . import cli, handlers, overlay, panels, presets, properties
 
-_MODULES = (properties, operators, panels, overlay, handlers, cli)
+_MODULES = (properties, presets, operators, panels, overlay, handlers, cli)
 _registered = ExitStack()
 
 

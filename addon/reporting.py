@@ -20,7 +20,7 @@ from .geometry.classification import SurfaceClass
 from .geometry.display.colormap import srgb_from_linear
 from .geometry.display.legend import Legend
 from .geometry.display.palette import CLASS_NAMES
-from .report.document import build_document
+from .report.document import LIMIT_UNITS, build_document
 from .report.html import Picture
 from .report.measures import CLASS_KEYS
 from .tasks import Outcome
@@ -123,11 +123,7 @@ def used_settings(
     """Return the settings that were used; None where the objects differ in one."""
     per_object = [
         {
-            **{
-                key: block[key]
-                for key in ("panel_size", "deviation", "curvature_limit")
-                if key in block
-            },
+            **{key: block[key] for key in LIMIT_UNITS if key in block},
             "crease_angle": as_typed(carrier.data.curvature.crease_angle),
             "flip_normals": carrier.data.curvature.flip_normals,
             "smoothing": carrier.data.curvature.smoothing,

@@ -12,6 +12,7 @@ from typing import TypeVar
 from bpy.types import Context, Mesh, Object
 
 from .bridge import cache, display, results
+from .bridge.criteria import preset_of
 from .bridge.material import show as show_material
 from .bridge.mode import object_mode
 from .bridge.separation import discard_parts
@@ -25,11 +26,11 @@ from .bridge.subject import (
     source_of,
     users_of,
 )
+from .geometry.criterion import Criterion, resolve_criterion
 from .geometry.errors import CurvatureError
 from .geometry.progress import part_of
 from .geometry.segmentation import Segmentation, segment
 from .geometry.settings import AnalysisSettings, SegmentationSettings
-from .geometry.tolerance import Tolerance, resolve_tolerance
 from .geometry.types import Progress
 from .steps import Steps, Work
 
@@ -90,7 +91,7 @@ def analyze_objects(
         return reading.analyzed(on_progress)
 
     def write(subject: Subject) -> Object:
-        return _write_analysis(context, subject, settings, _tolerance(subject, panel))
+        return _write_analysis(context, subject, settings, _criterion(subject, panel))
 
     with object_mode(context):
         outcome = yield from _for_each(context, objects, settings, compute, write)
@@ -120,16 +121,23 @@ def segment_objects(
     -------
     Steps of Outcome
     """
+    preset = preset_of(context.scene, panel)
 
     def compute(reading: Reading, on_progress: Progress) -> tuple[Subject, Segmentation]:
         subject = reading.analyzed(part_of(on_progress, 0.0, _ANALYSIS))
-        analysis, tolerance = subject.analysis, _tolerance(subject, panel)
-        return subject, segment(analysis.surface, analysis.curvature, tolerance, panel.min_area)
+        analysis = subject.analysis
+        return subject, segment(
+            analysis.surface,
+            analysis.curvature,
+            _criterion(subject, panel),
+            panel.min_area,
+            on_progress=part_of(on_progress, _ANALYSIS, 1.0),
+        )
 
     def write(found: tuple[Subject, Segmentation]) -> Object:
         subject, segmentation = found
-        carrier = _write_analysis(context, subject, settings, segmentation.tolerance)
-        results.write_segmentation(subject, carrier, segmentation)
+        carrier = _write_analysis(context, subject, settings, segmentation.criterion)
+        results.write_segmentation(subject, carrier, segmentation, preset)
         display.write_class_colors(carrier.data, context.scene.curvature)
         return carrier
 
@@ -174,14 +182,14 @@ def _for_each(
 
 
 def _write_analysis(
-    context: Context, subject: Subject, settings: AnalysisSettings, tolerance: Tolerance
+    context: Context, subject: Subject, settings: AnalysisSettings, criterion: Criterion
 ) -> Object:
     _drop_results_elsewhere(context, subject)
     carrier = prepare_carrier(subject, context.scene, context.evaluated_depsgraph_get())
     if not results.is_current(carrier.data, subject):
         results.write_curvature(subject, carrier, settings)
         display.write_curvature_colors(carrier.data, subject.analysis, context.scene.curvature)
-    results.write_point_types(carrier.data, subject.analysis, tolerance)
+    results.write_point_types(carrier.data, subject.analysis, criterion)
     reveal_carrier(context, subject.source, carrier)
     return carrier
 
@@ -195,10 +203,8 @@ def _drop_results_elsewhere(context: Context, subject: Subject) -> None:
         results.clear_results(source.data)
 
 
-def _tolerance(subject: Subject, panel: SegmentationSettings) -> Tolerance:
-    return resolve_tolerance(
-        panel.panel_size, panel.deviation, subject.analysis.surface.mesh.diagonal
-    )
+def _criterion(subject: Subject, panel: SegmentationSettings) -> Criterion:
+    return resolve_criterion(panel, subject.analysis.surface.mesh.diagonal)
 
 
 def _show(context: Context, outcome: Outcome, quantities: tuple[str, ...]) -> None:

@@ -10,6 +10,7 @@ from .analyze import CURVATURE_OT_analyze
 from .clear import CURVATURE_OT_clear
 from .deliver import CURVATURE_OT_deliver
 from .export_report import CURVATURE_OT_export_report
+from .preset_add import CURVATURE_OT_preset_add
 from .segment import CURVATURE_OT_segment
 from .select_class import CURVATURE_OT_select_class
 from .separate import CURVATURE_OT_separate
@@ -25,5 +26,6 @@ register, unregister = bpy.utils.register_classes_factory(
         CURVATURE_OT_deliver,
         CURVATURE_OT_separate,
         CURVATURE_OT_clear,
+        CURVATURE_OT_preset_add,
     )
 )

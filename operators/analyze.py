@@ -11,7 +11,7 @@ from bpy.types import Context, Event
 
 from ..addon import polls, tasks
 from ..addon.bridge.subject import selected_subjects
-from ..addon.choices import adopt_settings, analysis_settings, segmentation_settings
+from ..addon.choices import adopt_settings, analysis_settings, point_settings
 from ..addon.properties.items import SMOOTHING_ITEMS
 from ..addon.running import RunningOperator
 from ..addon.steps import Steps
@@ -79,5 +79,5 @@ class CURVATURE_OT_analyze(RunningOperator):
             context,
             selected_subjects(context),
             analysis_settings(context, self),
-            segmentation_settings(context),
+            point_settings(context),
         )

@@ -14,12 +14,13 @@ _CONTAINERS = ("row", "column", "box", "split", "grid_flow", "column_flow", "men
 
 
 class Layout:
-    """Keeps what was drawn in `texts`, `properties` and `operators`."""
+    """Keeps what was drawn in `texts`, `properties`, `operators` and `buttons`, their texts."""
 
     def __init__(self, parent: Layout | None = None) -> None:
         self.texts: list[str] = parent.texts if parent else []
         self.properties: list[str] = parent.properties if parent else []
         self.operators: list[str] = parent.operators if parent else []
+        self.buttons: list[str] = parent.buttons if parent else []
 
     def __getattr__(self, name: str) -> Callable[..., Layout]:
         if name not in _CONTAINERS:
@@ -34,6 +35,12 @@ class Layout:
 
     def separator(self, **_options: object) -> None:
         """Leave a gap."""
+
+    def menu(self, name: str, *, text: str = "", icon: str = "NONE") -> None:
+        """Keep what a menu shows, which must exist."""
+        assert icon in _ICONS, icon
+        assert hasattr(bpy.types, name), name
+        self.texts.append(text)
 
     def prop(
         self, owner: bpy.types.bpy_struct, name: str, *, icon: str = "NONE", **_options: object
@@ -51,12 +58,15 @@ class Layout:
         assert known[prop].type == "ENUM"
         self.operators.append(name)
 
-    def operator(self, name: str, *, icon: str = "NONE", **_options: object) -> SimpleNamespace:
+    def operator(
+        self, name: str, *, text: str = "", icon: str = "NONE", **_options: object
+    ) -> SimpleNamespace:
         """Keep the name of an operator, which must exist, as must the properties set on it."""
         assert icon in _ICONS, icon
         module, function = name.split(".")
         known = getattr(getattr(bpy.ops, module), function).get_rna_type().properties
         self.operators.append(name)
+        self.buttons.append(text)
 
         class Properties(SimpleNamespace):
             def __setattr__(self, key: str, value: object) -> None:

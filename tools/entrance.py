@@ -111,6 +111,9 @@ def _parser() -> argparse.ArgumentParser:
     commands.add_parser(
         "samples", help="write the sample models of assets/models from their formulas"
     ).set_defaults(run=_samples)
+    commands.add_parser(
+        "presets", help="write assets/presets and docs/materials.md from their table"
+    ).set_defaults(run=_presets)
 
     window = commands.add_parser(
         "window", help="test in a windowed Blender; arguments after -- go to pytest"
@@ -195,6 +198,16 @@ def _samples(_options: argparse.Namespace) -> int:
     from . import samples
 
     for path in samples.write(ROOT / "assets" / "models"):
+        print(path.relative_to(ROOT))
+    return 0
+
+
+def _presets(_options: argparse.Namespace) -> int:
+    from . import materials
+
+    guide = ROOT / "docs" / "materials.md"
+    guide.write_bytes(materials.guide_text().encode())
+    for path in (*materials.write(ROOT / "assets"), guide):
         print(path.relative_to(ROOT))
     return 0
 

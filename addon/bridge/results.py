@@ -12,14 +12,15 @@ import numpy as np
 from bpy.types import Mesh, Object, bpy_prop_collection
 
 from ..geometry.analysis import Analysis
-from ..geometry.classification import SurfaceClass, classify
+from ..geometry.classification import SurfaceClass
+from ..geometry.criterion import Criterion, classify_by
 from ..geometry.segmentation import Segmentation
 from ..geometry.settings import AnalysisSettings, Smoothing
-from ..geometry.tolerance import Tolerance
 from ..geometry.types import AnyArray, Floats
 from ..report.measures import CLASS_KEYS, measure_object
 from . import names
 from .attributes import remove_attributes, write_attribute
+from .criteria import criterion_of, write_criterion
 from .numbers import as_typed, as_typed_angle
 from .subject import Subject
 
@@ -87,25 +88,37 @@ def is_current(mesh: Mesh, subject: Subject) -> bool:
     )
 
 
-def write_point_types(mesh: Mesh, analysis: Analysis, tolerance: Tolerance) -> None:
-    """Write whether each vertex is flat, parabolic, elliptic or hyperbolic at a tolerance."""
+def write_point_types(mesh: Mesh, analysis: Analysis, criterion: Criterion) -> None:
+    """Write whether each vertex is flat, parabolic, elliptic or hyperbolic by a criterion."""
     curvature = analysis.curvature
-    types = classify(curvature.k1, curvature.k2, tolerance.curvature_limit, curvature.is_defined)
+    types = classify_by(curvature.k1, curvature.k2, criterion, curvature.is_defined)
     at_vertex = analysis.surface.vertex_sector
     values = np.where(at_vertex >= 0, types[at_vertex], SurfaceClass.UNDEFINED)
     write_attribute(mesh, names.POINT_TYPE, "POINT", "INT", values)
 
 
-def write_segmentation(subject: Subject, carrier: Object, segmentation: Segmentation) -> None:
-    """Write classes, regions and their measures to the carrier's mesh."""
+def write_segmentation(
+    subject: Subject, carrier: Object, segmentation: Segmentation, preset: dict[str, str]
+) -> None:
+    """Write classes, regions and their measures to the carrier's mesh.
+
+    Parameters
+    ----------
+    subject : Subject
+    carrier : Object
+        Has the topology of the analyzed mesh.
+    segmentation : Segmentation
+    preset : dict
+        Name and source of the preset that the criterion is of; see `preset_of`.
+    """
     mesh, results = carrier.data, carrier.data.curvature
     write_attribute(mesh, names.FACE_CLASS, "FACE", "INT", segmentation.face_class)
     write_attribute(mesh, names.REGION, "FACE", "INT", segmentation.regions.face_region)
     _keep_previous(mesh, {kind: each.area for kind, each in segmentation.classes.items()})
     results.is_segmented = True
-    results.panel_size = segmentation.tolerance.panel_size
-    results.deviation = segmentation.tolerance.deviation
-    results.curvature_limit = segmentation.tolerance.curvature_limit
+    write_criterion(mesh, segmentation)
+    results.criterion_preset = preset["criterion_preset"]
+    results.criterion_source = preset["criterion_source"]
     results.classes.clear()
     for surface_class, measure in segmentation.classes.items():
         row = results.classes.add()
@@ -115,6 +128,7 @@ def write_segmentation(subject: Subject, carrier: Object, segmentation: Segmenta
         row.min_radius = measure.min_radius or 0.0
     _write_regions(mesh, segmentation)
     block = measure_object(subject.analysis, segmentation)
+    block |= {key: text for key, text in preset.items() if text}
     _write_summary(mesh, subject, block | _comparison(mesh))
 
 
@@ -131,6 +145,12 @@ def class_changes(mesh: Mesh) -> list[tuple[SurfaceClass, float, float]]:
         for kind, area in now.items()
         if not math.isclose(area, before.get(kind, 0.0), rel_tol=1e-6, abs_tol=1e-12)
     ]
+
+
+def previous_criterion(mesh: Mesh) -> str:
+    """Return the criterion of the classes before in words, empty if it is the one at hand."""
+    previous = mesh.curvature.previous_criterion
+    return "" if previous == criterion_of(mesh).words else previous
 
 
 def read_report(obj: Object) -> dict[str, Any] | None:
@@ -156,10 +176,12 @@ def _comparison(mesh: Mesh) -> dict[str, Any]:
     changes = class_changes(mesh)
     if not changes:
         return {}
+    previous = previous_criterion(mesh)
     return {
         "comparison": {
             CLASS_KEYS[kind]: {"before": before, "after": after} for kind, before, after in changes
-        }
+        },
+        **({"previous_criterion": previous} if previous else {}),
     }
 
 
@@ -175,6 +197,7 @@ def _keep_previous(mesh: Mesh, areas: dict[SurfaceClass, float]) -> None:
         )
     ):
         return
+    results.previous_criterion = criterion_of(mesh).words
     results.previous.clear()
     for kind, area in at_hand.items():
         row = results.previous.add()

@@ -10,8 +10,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ..bridge.importing import ENDINGS
+from ..choices import LIMITS
 from ..geometry.display.colormap import ColorMap
-from ..geometry.settings import Smoothing
+from ..geometry.settings import CriterionKind, Smoothing
 from ..properties.items import QUANTITY_ITEMS
 from ..report.files import FORMATS
 
@@ -42,6 +43,7 @@ def parse_arguments(arguments: Sequence[str]) -> argparse.Namespace:
     _add_settings(segment)
     options = parser.parse_args(arguments)
     _check_endings(segment, options)
+    _check_limits(segment, options)
     return options
 
 
@@ -117,6 +119,27 @@ def _add_settings(parser: argparse.ArgumentParser) -> None:
         help="allowed deviation in meters (default: a two-hundredth of the panel size)",
     )
     parser.add_argument(
+        "--smallest-radius",
+        type=_positive,
+        default=0.0,
+        metavar="M",
+        help="radius in meters from which panels count as straight, in place of --deviation",
+    )
+    parser.add_argument(
+        "--gaussian-limit",
+        type=_positive,
+        default=0.0,
+        metavar="K",
+        help="largest |K| in 1/m² of what is not double-curved; needs --mean-limit",
+    )
+    parser.add_argument(
+        "--mean-limit",
+        type=_positive,
+        default=0.0,
+        metavar="H",
+        help="largest |H| in 1/m of what is flat; needs --gaussian-limit",
+    )
+    parser.add_argument(
         "--crease-angle",
         type=_angle,
         default=30.0,
@@ -128,7 +151,7 @@ def _add_settings(parser: argparse.ArgumentParser) -> None:
         type=_not_negative,
         default=0.0,
         metavar="M2",
-        help="regions below this area in m² join a neighbor (default: 0, none do)",
+        help="regions below this area in m² join a neighbor (default: 0, that of a panel)",
     )
     parser.add_argument(
         "--smoothing",
@@ -167,6 +190,19 @@ def _check_endings(parser: argparse.ArgumentParser, options: argparse.Namespace)
     ):
         if path is not None and path.suffix.lower() not in endings:
             parser.error(f"{name} {path}: the file name must end in {' or '.join(endings)}")
+
+
+def _check_limits(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    """Refuse limits of several criteria, and half of a pair; set the criterion that is left."""
+    given = [name for name in LIMITS if getattr(options, name)]
+    flags = {name: f"--{name.replace('_', '-')}" for name in LIMITS}
+    kinds = {LIMITS[name]: flags[name] for name in given}
+    if len(kinds) > 1:
+        parser.error(f"{' and '.join(kinds.values())} are limits of different kinds: give one")
+    options.criterion = next(iter(kinds), CriterionKind.PANEL)
+    pair = [name for name, kind in LIMITS.items() if kind is CriterionKind.RAW]
+    if options.criterion is CriterionKind.RAW and set(pair) - set(given):
+        parser.error(f"{' and '.join(flags[name] for name in pair)} need each other")
 
 
 def _number(text: str) -> float:

@@ -133,6 +133,10 @@ def _apply_settings(options: Namespace) -> None:
     settings = scene.curvature
     settings.panel_size = options.panel_size
     settings.deviation = options.deviation
+    settings.criterion = options.criterion.name
+    settings.smallest_radius = options.smallest_radius
+    settings.gaussian_limit = options.gaussian_limit
+    settings.mean_limit = options.mean_limit
     settings.min_area = options.min_area
     settings.crease_angle = math.radians(options.crease_angle)
     settings.flip_normals = options.flip_normals

@@ -7,7 +7,8 @@ from __future__ import annotations
 import numpy as np
 from bpy.types import Object, Scene
 
-from ..bridge import names, units
+from ..bridge import names
+from ..bridge.criteria import criterion_lines, criterion_of
 from ..bridge.display import CURVATURES, analyzed_objects, class_colors
 from ..bridge.subject import carrier_of
 from ..geometry.classification import SurfaceClass
@@ -51,15 +52,16 @@ def class_legend(scene: Scene, objects: list[Object]) -> Legend | None:
     return _class_key(scene, segmented) if segmented else None
 
 
-def tolerance_notes(scene: Scene, obj: Object) -> tuple[str, ...]:
-    """Return the tolerance of an object's classes in words."""
-    results = obj.data.curvature
-    radius = units.length_text(scene, 1.0 / results.curvature_limit)
-    return (
-        f"Within {units.length_text(scene, results.deviation)} "
-        f"over a {units.length_text(scene, results.panel_size)} panel,",
-        f"straight above a radius of {radius}",
-    )
+def tolerance_notes(scene: Scene, objects: list[Object]) -> tuple[str, ...]:
+    """Return the criterion of objects' classes in words, nothing where they differ in it."""
+    notes = {
+        (
+            *criterion_lines(scene, criterion_of(obj.data)),
+            *(filter(None, [obj.data.curvature.criterion_preset])),
+        )
+        for obj in objects
+    }
+    return notes.pop() if len(notes) == 1 else ()
 
 
 def _described_objects(scene: Scene, active: Object | None) -> list[Object]:
@@ -102,8 +104,7 @@ def _class_key(scene: Scene, objects: list[Object]) -> ClassKey:
         for surface_class, name in CLASS_NAMES.items()
         if surface_class != SurfaceClass.UNDEFINED or areas[surface_class] > 0.0
     )
-    notes = tolerance_notes(scene, objects[0]) if len(objects) == 1 else ()
-    return ClassKey("Curvature Class", rows, notes)
+    return ClassKey("Curvature Class", rows, tolerance_notes(scene, objects))
 
 
 def _region_key(obj: Object) -> ClassKey:

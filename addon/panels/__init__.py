@@ -9,12 +9,14 @@ import bpy
 from .analysis import CURVATURE_PT_analysis
 from .changes import CURVATURE_PT_changes
 from .delivery import CURVATURE_PT_delivery
+from .preset_menu import CURVATURE_MT_presets
 from .results import CURVATURE_PT_results
 from .segmentation import CURVATURE_PT_segmentation
 from .warnings import CURVATURE_PT_warnings
 
 register, unregister = bpy.utils.register_classes_factory(
     (
+        CURVATURE_MT_presets,
         CURVATURE_PT_segmentation,
         CURVATURE_PT_results,
         CURVATURE_PT_changes,

@@ -7,9 +7,10 @@ from __future__ import annotations
 from bpy.types import Context, Panel
 
 from ..bridge import units
-from ..bridge.results import class_changes
+from ..bridge.results import class_changes, previous_criterion
 from ..geometry.display.palette import CLASS_NAMES
 from .base import SidebarPanel, active_results_mesh
+from .text import wrap
 
 
 class CURVATURE_PT_changes(SidebarPanel, Panel):
@@ -39,3 +40,9 @@ class CURVATURE_PT_changes(SidebarPanel, Panel):
             change = row.row()
             change.alignment = "RIGHT"
             change.label(text=f"{sign}{units.area_text(context.scene, abs(after - before))}")
+        previous = previous_criterion(mesh) if mesh else ""
+        if previous:
+            col = self.layout.column(align=True)
+            col.active = False
+            for line in wrap(f"Criterion before: {previous}", context):
+                col.label(text=line)

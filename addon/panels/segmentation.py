@@ -1,19 +1,23 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Panel with the tolerance and the main button."""
+"""Panel with the criterion and the main button."""
 
 from __future__ import annotations
 
-from bpy.types import Context, Panel
+from bpy.types import Context, Panel, PropertyGroup, UILayout
 
 from ..bridge import units
+from ..bridge.criteria import criterion_lines
+from ..choices import segmentation_settings
+from ..geometry.criterion import resolve_criterion
 from ..geometry.errors import CurvatureError
-from ..geometry.tolerance import Tolerance, resolve_tolerance
+from ..properties.items import CRITERION_FIELDS
 from .base import SidebarPanel
+from .text import wrap
 
 
 class CURVATURE_PT_segmentation(SidebarPanel, Panel):
-    """Panel size, deviation, and the button that segments."""
+    """Criterion, its limits, and the button that segments."""
 
     bl_idname = "CURVATURE_PT_segmentation"
     bl_label = "Segmentation"
@@ -26,17 +30,18 @@ class CURVATURE_PT_segmentation(SidebarPanel, Panel):
         layout.use_property_decorate = False
         settings = context.scene.curvature
 
+        _draw_presets(layout, settings)
+        layout.prop(settings, "criterion")
         col = layout.column(align=True)
-        col.prop(settings, "panel_size_shown")
-        col.prop(settings, "deviation_shown")
-        col.prop(settings, "min_area_shown")
+        for name in (*CRITERION_FIELDS[settings.criterion], "min_area"):
+            shown = f"{name}_shown"
+            col.prop(settings, shown if shown in settings.bl_rna.properties else name)
         layout.prop(settings, "crease_angle")
 
-        tolerance = _tolerance(context)
-        if tolerance is not None:
+        for sentence in (_criterion_sentence(context), settings.criterion_source):
             col = layout.column(align=True)
             col.active = False
-            for line in _tolerance_lines(context, tolerance):
+            for line in wrap(sentence, context):
                 col.label(text=line)
 
         row = layout.row()
@@ -44,22 +49,26 @@ class CURVATURE_PT_segmentation(SidebarPanel, Panel):
         row.operator("curvature.segment", text="Segment", icon="MOD_EXPLODE")
 
 
-def _tolerance(context: Context) -> Tolerance | None:
-    """Return the tolerance for the active object; its dimensions are known without its mesh."""
-    settings, active = context.scene.curvature, context.object
+def _draw_presets(layout: UILayout, settings: PropertyGroup) -> None:
+    row = layout.row(align=True)
+    row.menu("CURVATURE_MT_presets", text=settings.criterion_preset or "Presets")
+    row.operator("curvature.preset_add", text="", icon="ADD")
+    remove = row.row(align=True)
+    remove.enabled = bool(settings.criterion_preset)
+    button = remove.operator("curvature.preset_add", text="", icon="REMOVE")
+    button.name = settings.criterion_preset
+    button.remove_name = True
+
+
+def _criterion_sentence(context: Context) -> str:
+    """Return the criterion for the active object; its dimensions are known without its mesh."""
+    active = context.object
     diagonal = 0.0
     if active is not None and active.type == "MESH":
         diagonal = active.dimensions.length * units.meters_per_unit(context.scene)
     try:
-        return resolve_tolerance(settings.panel_size, settings.deviation, diagonal)
+        criterion = resolve_criterion(segmentation_settings(context), diagonal)
     except CurvatureError:
-        return None
-
-
-def _tolerance_lines(context: Context, tolerance: Tolerance) -> tuple[str, str]:
-    scene = context.scene
-    return (
-        f"{units.length_text(scene, tolerance.deviation)} over "
-        f"{units.length_text(scene, tolerance.panel_size)} panels:",
-        f"straight above a radius of {units.length_text(scene, tolerance.radius_limit)}",
-    )
+        is_panel = context.scene.curvature.criterion == "PANEL"
+        return "" if is_panel else "Set the limits, or choose a preset"
+    return " ".join(criterion_lines(context.scene, criterion))

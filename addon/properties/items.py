@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from ..geometry.display.palette import CLASS_NAMES
-from ..geometry.settings import Smoothing
+from ..geometry.settings import CriterionKind, Smoothing
 
 QUANTITY_ITEMS = (
     ("GAUSSIAN", "Gaussian Curvature", "Product of the principal curvatures, in 1/m²", 0),
@@ -21,6 +21,19 @@ CLASS_ITEMS = tuple(
     (surface_class.name, name, f"Faces of the class {name.lower()}", int(surface_class) + 1)
     for surface_class, name in CLASS_NAMES.items()
 )
+
+CRITERION_ITEMS = (
+    ("PANEL", CriterionKind.PANEL.value, "A panel may deviate from the surface by a distance", 0),
+    ("RADIUS", CriterionKind.RADIUS.value, "A material bends no tighter than a radius", 1),
+    ("RAW", CriterionKind.RAW.value, "Limits of |K| and |H|, for those who want them", 2),
+)
+
+CRITERION_FIELDS = {
+    "PANEL": ("panel_size", "deviation"),
+    "RADIUS": ("smallest_radius", "panel_size"),
+    "RAW": ("gaussian_limit", "mean_limit", "panel_size"),
+}
+"""Settings that matter to a criterion, in the order in which panels show them."""
 
 SMOOTHING_ITEMS = (
     ("AUTO", Smoothing.AUTO.value, "Measure the noise, and smooth no more than it asks for", 0),

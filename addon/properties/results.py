@@ -14,7 +14,7 @@ from bpy.props import (
 )
 from bpy.types import PropertyGroup
 
-from .items import CLASS_ITEMS, SMOOTHING_ITEMS
+from .items import CLASS_ITEMS, CRITERION_ITEMS, SMOOTHING_ITEMS
 
 
 class CURVATURE_PG_warning(PropertyGroup):
@@ -69,11 +69,27 @@ class CURVATURE_PG_results(PropertyGroup):
     is_segmented: BoolProperty(
         name="Segmented", description="Whether the faces have classes and regions"
     )
+    criterion: EnumProperty(
+        name="Criterion", description="Criterion of the classes", items=CRITERION_ITEMS
+    )
+    criterion_preset: StringProperty(
+        name="Preset", description="Preset that the limits are of, empty where set by hand"
+    )
+    criterion_source: StringProperty(
+        name="Source", description="Where the preset has its limits from"
+    )
+    previous_criterion: StringProperty(
+        name="Previous Criterion", description="Criterion of the previous classes in words"
+    )
     panel_size: FloatProperty(name="Panel Size", description="Panel size used, in meters")
     deviation: FloatProperty(name="Deviation", description="Deviation used, in meters")
     curvature_limit: FloatProperty(
         name="Curvature Limit", description="Curvature in 1/m up to which panels count as straight"
     )
+    gaussian_limit: FloatProperty(
+        name="Gaussian Limit", description="Limit of |K| used, in 1/m²; 0 without raw limits"
+    )
+    min_area: FloatProperty(name="Minimum Area", description="Minimum area used, in m²")
     classes: CollectionProperty(
         type=CURVATURE_PG_class, name="Classes", description="Measures of every class"
     )

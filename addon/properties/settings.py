@@ -6,7 +6,13 @@ from __future__ import annotations
 
 from math import pi
 
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty
+from bpy.props import (
+    BoolProperty,
+    EnumProperty,
+    FloatProperty,
+    FloatVectorProperty,
+    StringProperty,
+)
 from bpy.types import Context, PropertyGroup
 
 from ..bridge import display, units, viewport
@@ -14,8 +20,8 @@ from ..geometry.classification import SurfaceClass
 from ..geometry.creases import DEFAULT_CREASE_ANGLE
 from ..geometry.display.colormap import ColorMap
 from ..geometry.display.palette import CLASS_NAMES, default_class_colors
-from ..geometry.settings import Smoothing
-from .items import QUANTITY_ITEMS, SMOOTHING_ITEMS
+from ..geometry.settings import CriterionKind, Smoothing
+from .items import CRITERION_ITEMS, QUANTITY_ITEMS, SMOOTHING_ITEMS
 
 _COLORS = default_class_colors()
 
@@ -27,6 +33,17 @@ def _refresh(settings: PropertyGroup, context: Context) -> None:
 
 def _redraw(_settings: PropertyGroup, context: Context) -> None:
     viewport.redraw(context)
+
+
+def _forget_preset(settings: PropertyGroup, _context: Context) -> None:
+    """Forget the preset of a limit that is set by hand, and the source it had from there."""
+    settings.criterion_preset = settings.criterion_source = ""
+
+
+def _forget_panel_preset(settings: PropertyGroup, context: Context) -> None:
+    """Forget the preset if it is one of panels: the others say nothing about their size."""
+    if settings.criterion == CriterionKind.PANEL.name:
+        _forget_preset(settings, context)
 
 
 def _in_scene_units(name: str, dimension: int = 1) -> dict[str, object]:
@@ -89,11 +106,48 @@ class CURVATURE_PG_settings(PropertyGroup):
         description="Look at the surface from its other side: mean curvature changes its sign",
         default=False,
     )
+    criterion: EnumProperty(
+        name="Criterion",
+        description="What decides between flat, single-curved and double-curved",
+        items=CRITERION_ITEMS,
+        default=CriterionKind.PANEL.name,
+        update=_forget_preset,
+    )
+    criterion_preset: StringProperty(
+        name="Preset", description="Preset that the limits are of, empty where set by hand"
+    )
+    criterion_source: StringProperty(
+        name="Source", description="Where the preset has its limits from"
+    )
+    smallest_radius: FloatProperty(
+        name="Smallest Radius (m)",
+        description="Radius in meters beyond which a panel counts as straight",
+        default=0.0,
+        min=0.0,
+        update=_forget_preset,
+    )
+    gaussian_limit: FloatProperty(
+        name="Gaussian Limit",
+        description="Largest |K| in 1/m² of what counts as flat or single-curved",
+        default=0.0,
+        min=0.0,
+        precision=5,
+        update=_forget_preset,
+    )
+    mean_limit: FloatProperty(
+        name="Mean Limit",
+        description="Largest |H| in 1/m of what counts as flat",
+        default=0.0,
+        min=0.0,
+        precision=5,
+        update=_forget_preset,
+    )
     panel_size: FloatProperty(
         name="Panel Size (m)",
         description="Edge length of the panels in meters; 0 takes a twentieth of the model",
         default=0.0,
         min=0.0,
+        update=_forget_panel_preset,
     )
     deviation: FloatProperty(
         name="Deviation (m)",
@@ -102,12 +156,20 @@ class CURVATURE_PG_settings(PropertyGroup):
         default=0.0,
         min=0.0,
         precision=5,
+        update=_forget_preset,
     )
     min_area: FloatProperty(
         name="Minimum Area (m²)",
-        description="Regions below this area in m² join a neighbor; 0 keeps all regions",
+        description="Regions below this area in m² join a neighbor; 0 takes one panel",
         default=0.0,
         min=0.0,
+    )
+    smallest_radius_shown: FloatProperty(
+        name="Smallest Radius",
+        description="Radius beyond which a panel counts as straight",
+        unit="LENGTH",
+        min=0.0,
+        **_in_scene_units("smallest_radius"),
     )
     panel_size_shown: FloatProperty(
         name="Panel Size",
@@ -127,7 +189,7 @@ class CURVATURE_PG_settings(PropertyGroup):
     )
     min_area_shown: FloatProperty(
         name="Minimum Area",
-        description="Regions below this area join a neighbor; 0 keeps all regions",
+        description="Regions below this area join a neighbor; 0 takes one panel",
         unit="AREA",
         min=0.0,
         **_in_scene_units("min_area", 2),

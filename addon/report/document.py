@@ -12,6 +12,21 @@ from typing import Any
 SCHEMA = 1
 """Version of the report's structure; it grows only when a reader has to change."""
 
+LIMIT_UNITS = {
+    "criterion": "",
+    "criterion_words": "",
+    "criterion_preset": "",
+    "criterion_source": "",
+    "panel_size": "m",
+    "deviation": "m",
+    "curvature_limit": "1/m",
+    "smallest_radius": "m",
+    "gaussian_limit": "1/m²",
+    "mean_limit": "1/m",
+    "min_area": "m²",
+}
+"""What objects say about the limits of their classes, and in which unit."""
+
 _QUANTITIES = ("gaussian_curvature", "mean_curvature", "k1", "k2")
 _STATISTICS = ("min", "max", "mean", "median", "p05", "p95")
 _MEASURES = ("area", "share", "faces", "regions", "min_radius")
@@ -72,9 +87,7 @@ def _object_rows(block: dict[str, Any]) -> list[tuple[Any, ...]]:
         ("object", "", "area", block["area"], "m²"),
     ]
     rows += [
-        ("setting", "", key, block[key], unit)
-        for key, unit in (("panel_size", "m"), ("deviation", "m"), ("curvature_limit", "1/m"))
-        if key in block
+        ("setting", "", key, block[key], unit) for key, unit in LIMIT_UNITS.items() if key in block
     ]
     for quantity in _QUANTITIES:
         unit = "1/m²" if quantity == "gaussian_curvature" else "1/m"

@@ -12,6 +12,7 @@ from typing import Any
 
 from ..geometry.classification import SurfaceClass
 from ..geometry.display.palette import CLASS_COLORS, CLASS_NAMES
+from ..geometry.settings import CriterionKind
 from .html_parts import HISTOGRAM_NOTE, STYLE, histogram_svg, table
 from .measures import CLASS_KEYS
 
@@ -20,6 +21,7 @@ _COLORS = {
     CLASS_KEYS[surface_class]: "#" + "".join(f"{round(255 * part):02x}" for part in color)
     for surface_class, color in CLASS_COLORS.items()
 }
+_CRITERIA = {kind.name: kind.value for kind in CriterionKind}
 #: Rows of the region table; the reports for programs have all.
 _MOST_REGIONS = 200
 
@@ -92,7 +94,7 @@ def _object_section(block: dict[str, Any], palette: Mapping[str, str]) -> str:
     parts += [f"<p class='warning'>{escape(sentence)}</p>" for sentence in block["warnings"]]
     if "classes" in block:
         parts += [
-            f"<p>{_tolerance_sentence(block)}</p>",
+            f"<p>{_limit_sentences(block)}</p>",
             _class_bar(block["classes"], palette),
             _class_table(block["classes"], palette),
         ]
@@ -106,19 +108,40 @@ def _object_section(block: dict[str, Any], palette: Mapping[str, str]) -> str:
             f"<p class='faint'>{HISTOGRAM_NOTE}</p>",
         ]
     if block.get("comparison"):
-        parts.append(_comparison(block["comparison"], palette))
+        parts.append(_comparison(block, palette))
     parts.append(_statistics(block))
     if block.get("regions"):
         parts.append(_regions(block["regions"], palette))
     return "<section>" + "\n".join(part for part in parts if part) + "</section>"
 
 
-def _tolerance_sentence(block: dict[str, Any]) -> str:
+def _limit_sentences(block: dict[str, Any]) -> str:
+    """Return the criterion in words, with its preset and where that has its limits from."""
+    sentences = [_criterion_sentence(block)]
+    preset, source = (block.get(key, "") for key in ("criterion_preset", "criterion_source"))
+    if preset:
+        sentences.append(f"Preset {preset}{': ' + source if source else ''}.")
+    sentences.append(
+        f"Regions of less than {block['min_area']:.3g} m² have joined a neighbor "
+        "if they add nothing to the shape."
+    )
+    return escape(" ".join(sentences))
+
+
+def _criterion_sentence(block: dict[str, Any]) -> str:
+    if block["criterion"] == CriterionKind.RAW.name:
+        return (
+            f"Single-curved means |K| of at most {block['gaussian_limit']:.4g} 1/m²; "
+            f"flat means also |H| of at most {block['mean_limit']:.4g} 1/m."
+        )
+    if block["criterion"] == CriterionKind.RADIUS.name:
+        return f"Panels are straight at a radius of at least {block['smallest_radius']:.4g} m."
     radius = 1.0 / block["curvature_limit"]
     return (
         f"Panels of {block['panel_size']:.4g} m that may deviate by "
         f"{1000.0 * block['deviation']:.3g} mm are straight above a radius of {radius:.4g} m. "
-        f"Single-curved means within {1000.0 * block['deviation']:.3g} mm of a cylinder."
+        f"Single-curved means within {1000.0 * block['deviation']:.3g} mm of a cylinder "
+        f"over a {block['panel_size']:.4g} m panel."
     )
 
 
@@ -153,7 +176,7 @@ def _class_table(classes: dict[str, Any], palette: Mapping[str, str]) -> str:
     return table(heads, rows)
 
 
-def _comparison(comparison: dict[str, Any], palette: Mapping[str, str]) -> str:
+def _comparison(block: dict[str, Any], palette: Mapping[str, str]) -> str:
     rows = [
         (
             _swatch(key, palette),
@@ -161,11 +184,13 @@ def _comparison(comparison: dict[str, Any], palette: Mapping[str, str]) -> str:
             f"{change['after']:.4g}",
             f"{change['after'] - change['before']:+.4g}",
         )
-        for key, change in comparison.items()
+        for key, change in block["comparison"].items()
         if change["before"] or change["after"]
     ]
     heads = ("Class", "Before (m²)", "After (m²)", "Change (m²)")
-    return "<h3>Changes since the segmentation before</h3>" + table(heads, rows)
+    previous = block.get("previous_criterion", "")
+    note = f"<p class='faint'>Criterion before: {escape(previous)}</p>" if previous else ""
+    return "<h3>Changes since the segmentation before</h3>" + table(heads, rows) + note
 
 
 def _statistics(block: dict[str, Any]) -> str:
@@ -204,7 +229,7 @@ def _regions(regions: Sequence[dict[str, Any]], palette: Mapping[str, str]) -> s
 
 def _settings(settings: dict[str, Any]) -> str:
     rows = [
-        (escape(key.replace("_", " ").capitalize()), _setting(value))
+        (escape(key.replace("_", " ").capitalize()), _setting(_CRITERIA.get(value, value)))
         for key, value in settings.items()
     ]
     return "<section><h2>Settings</h2>" + table(("Setting", "Value"), rows) + "</section>"

@@ -11,7 +11,9 @@ import numpy as np
 
 from ..geometry.analysis import Analysis
 from ..geometry.classification import SurfaceClass
+from ..geometry.criterion import Criterion
 from ..geometry.segmentation import Segmentation
+from ..geometry.settings import CriterionKind
 from ..geometry.statistics import area_histogram, summarize
 
 _HISTOGRAM_BARS = 40
@@ -61,7 +63,7 @@ def measure_object(analysis: Analysis, segmentation: Segmentation | None = None)
         block[key] = asdict(summary) if summary else None
     if segmentation is not None:
         block |= _segmentation_block(segmentation)
-        block["histograms"] = _histograms(analysis, segmentation.tolerance.curvature_limit)
+        block["histograms"] = _histograms(analysis, segmentation.criterion.curvature_limit)
     return block
 
 
@@ -80,12 +82,29 @@ def _histograms(analysis: Analysis, limit: float) -> dict[str, Any]:
     }
 
 
+def _criterion_block(criterion: Criterion) -> dict[str, Any]:
+    """Return the limits; those of other criteria are absent."""
+    block: dict[str, Any] = {
+        "criterion": criterion.kind.name,
+        "criterion_words": criterion.words,
+        "panel_size": criterion.tolerance.panel_size,
+        "deviation": criterion.tolerance.deviation,
+        "curvature_limit": criterion.curvature_limit,
+    }
+    if criterion.kind is CriterionKind.RADIUS:
+        # The criterion keeps the deviation that follows from the radius: undo the rounding.
+        block["smallest_radius"] = float(f"{criterion.tolerance.radius_limit:.12g}")
+    if criterion.gaussian_limit is not None:
+        block["gaussian_limit"] = criterion.gaussian_limit
+        block["mean_limit"] = float(f"{criterion.curvature_limit:.12g}")
+    return block
+
+
 def _segmentation_block(segmentation: Segmentation) -> dict[str, Any]:
     regions = segmentation.regions
     return {
-        "panel_size": segmentation.tolerance.panel_size,
-        "deviation": segmentation.tolerance.deviation,
-        "curvature_limit": segmentation.tolerance.curvature_limit,
+        **_criterion_block(segmentation.criterion),
+        "min_area": segmentation.min_area,
         "classes": {
             key: asdict(segmentation.classes[surface_class])
             for surface_class, key in CLASS_KEYS.items()

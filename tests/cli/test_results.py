@@ -29,6 +29,14 @@ def _of_operators(tmp_path: Path, **properties: float) -> dict:
         ([], {}),
         (["--panel-size", 1.0, "--deviation", 0.01], {"panel_size": 1.0, "deviation": 0.01}),
         (["--crease-angle", 5], {"crease_angle": math.radians(5.0)}),
+        (
+            ["--smallest-radius", 3.0, "--panel-size", 0.7],
+            {"smallest_radius": 3.0, "panel_size": 0.7},
+        ),
+        (
+            ["--gaussian-limit", 0.2, "--mean-limit", 0.4],
+            {"gaussian_limit": 0.2, "mean_limit": 0.4},
+        ),
         (["--min-area", 0.5, "--panel-size", 0.7], {"min_area": 0.5, "panel_size": 0.7}),
     ],
 )

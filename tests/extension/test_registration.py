@@ -35,6 +35,7 @@ def _state_of_blender() -> dict[str, object]:
         "properties": properties,
         "attributes": {owner: sorted(dir(getattr(bpy.types, owner))) for owner in _OWNERS},
         "menus": menus,
+        "presets": bpy.utils.preset_paths("architectural_curvature"),
         "operators": sorted(dir(bpy.ops.curvature)),
     }
 

@@ -21,7 +21,7 @@ def _classes() -> list[type]:
     panels = [
         getattr(bpy.types, name) for name in dir(bpy.types) if name.startswith("CURVATURE_PT_")
     ]
-    return [*operators, *panels]
+    return [*operators, *panels, bpy.types.CURVATURE_MT_presets]
 
 
 def _properties() -> Iterator[tuple[str, bpy.types.Property]]:
@@ -123,6 +123,9 @@ def test_lengths_and_angles_have_units() -> None:
 def test_numbers_that_cannot_be_negative_are_bounded() -> None:
     for name, value in _properties():
         key = name.rsplit(".", 1)[1]
-        bounded = {"panel_size", "deviation", "min_area", "crease_angle", "range_limit"}
+        bounded = {
+            *("panel_size", "deviation", "min_area", "crease_angle", "range_limit"),
+            *("smallest_radius", "gaussian_limit", "mean_limit"),
+        }
         if key in bounded and "PG_results" not in name:
             assert value.hard_min >= 0.0, name

@@ -135,3 +135,53 @@ def test_legend_of_a_loaded_file_is_that_of_the_saved_one(tmp_path: Path) -> Non
     bpy.ops.wm.save_as_mainfile(filepath=file)
     bpy.ops.wm.open_mainfile(filepath=file)
     assert _legend() == before
+
+
+def test_tolerance_is_said_as_a_cylinder_over_a_panel() -> None:
+    add_surface(barrel)
+    bpy.context.scene.unit_settings.system = "METRIC"
+    bpy.ops.curvature.segment(panel_size=1.5, deviation=0.005)
+    words = " ".join(_legend().notes)
+    assert words.startswith("Single-curved: within 5 mm of a cylinder over a 1.5 m panel")
+    # 1.5² / (8 · 0.005) = 56.25 m, with three digits.
+    assert words.endswith("straight above a radius of 56.2 m")
+
+
+def test_tolerance_is_said_in_feet_and_inches_where_the_scene_has_them() -> None:
+    add_surface(barrel)
+    bpy.context.scene.unit_settings.system = "IMPERIAL"
+    bpy.ops.curvature.segment(panel_size=1.524, deviation=0.00635)
+    words = " ".join(_legend().notes)
+    assert "within 250 thou of a cylinder over a 5' panel" in words
+    # (5 ft)² / (8 · 1/4 in) = 25 · 144 / 2 in = 150 ft.
+    assert words.endswith("straight above a radius of 150'")
+
+
+def test_smallest_radius_and_its_preset_are_said() -> None:
+    add_surface(barrel)
+    settings = bpy.context.scene.curvature
+    settings.criterion, settings.smallest_radius = "RADIUS", 12.0
+    settings.criterion_preset = "Cold-bent Glass 8 mm"
+    bpy.ops.curvature.segment()
+    assert _legend().notes == ("Straight: radius of at least 12 m", "Cold-bent Glass 8 mm")
+
+
+def test_raw_limits_are_said() -> None:
+    add_surface(barrel)
+    bpy.ops.curvature.segment(gaussian_limit=0.01, mean_limit=0.125)
+    assert _legend().notes == (
+        "Single-curved: |K| at most 0.01 1/m²",
+        "Flat: also |H| at most 0.125 1/m",
+    )
+
+
+def test_objects_of_different_tolerances_have_no_words_in_common() -> None:
+    first = add_surface(barrel, "First")
+    second = add_surface(barrel, "Second")
+    bpy.ops.curvature.segment(**STRICT)
+    only_select()
+    assert legend_of(bpy.context.scene, None).notes
+    only_select(second)
+    bpy.ops.curvature.segment(smallest_radius=3.0)
+    assert legend_of(bpy.context.scene, None).notes == ()
+    assert _legend(first).notes != _legend(second).notes

@@ -149,7 +149,7 @@ def test_segmentation_panel_says_the_radius_limit_in_words() -> None:
     # s² / (8 d) = 1.44 / 0.048 = 30 m.
     assert "radius of 30 m" in words
     assert "6 mm" in words
-    assert shown.operators == ["curvature.segment"]
+    assert shown.operators[-1] == "curvature.segment"
 
 
 def test_defaults_of_the_model_are_said_before_it_is_segmented() -> None:
@@ -199,3 +199,38 @@ def test_panels_are_in_the_sidebar_tab() -> None:
     for panel in _panels():
         assert (panel.bl_space_type, panel.bl_region_type) == ("VIEW_3D", "UI")
         assert panel.bl_category == "Curvature"
+
+
+@pytest.mark.parametrize(
+    ("criterion", "fields"),
+    [
+        ("PANEL", ["panel_size_shown", "deviation_shown"]),
+        ("RADIUS", ["smallest_radius_shown", "panel_size_shown"]),
+        ("RAW", ["gaussian_limit", "mean_limit", "panel_size_shown"]),
+    ],
+)
+def test_segmentation_panel_has_the_fields_that_matter(criterion: str, fields: list[str]) -> None:
+    add_surface(plate)
+    bpy.context.scene.curvature.criterion = criterion
+    shown = _draw("segmentation")
+    assert shown.properties == ["criterion", *fields, "min_area_shown", "crease_angle"]
+    asks = "Set the limits, or choose a preset" in " ".join(shown.texts)
+    assert asks == (criterion != "PANEL")
+
+
+def test_segmentation_panel_names_the_preset_and_its_source() -> None:
+    add_surface(plate)
+    assert _draw("segmentation").texts[0] == "Presets"
+    settings = bpy.context.scene.curvature
+    settings.criterion, settings.smallest_radius = "RADIUS", 12.0
+    settings.criterion_preset, settings.criterion_source = "Cold-bent Glass 8 mm", "By Sedak"
+    shown = _draw("segmentation")
+    assert shown.texts[0] == "Cold-bent Glass 8 mm"
+    assert "By Sedak" in shown.texts
+    assert "radius of at least 12 m" in " ".join(shown.texts)
+
+
+def test_changes_panel_names_the_criterion_before() -> None:
+    _segmented()
+    bpy.ops.curvature.segment(smallest_radius=1.0)
+    assert "before: single-curved: within 10 mm" in " ".join(_draw("changes").texts)

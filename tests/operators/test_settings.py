@@ -15,7 +15,10 @@ from models import STRICT, add_surface, barrel, dome, only_select, stored
 
 SETTINGS = {
     "analyze": {"smoothing", "smoothing_length", "crease_angle", "flip_normals"},
-    "segment": {"panel_size", "deviation", "crease_angle", "min_area"},
+    "segment": {
+        *("criterion", "panel_size", "deviation", "smallest_radius"),
+        *("gaussian_limit", "mean_limit", "crease_angle", "min_area"),
+    },
     "show": {"quantity"},
     "select_class": {"surface_class", "extend"},
     "export_report": {"filepath"},

@@ -28,16 +28,18 @@ _ALLOWED = {
     "handlers": {"bridge", "overlay"},
     "tasks": {"bridge", "geometry"},
     "reporting": {"bridge", "geometry", "report", "tasks", "version"},
-    "panels": {"bridge", "geometry", "properties"},
+    "presets": set(),
+    "preset_text": set(),
+    "panels": {"bridge", "geometry", "properties", "choices", "preset_text"},
     "operators": {
         "bridge", "geometry", "report", "properties", "overlay", "choices", "polls", "progress",
-        "tasks", "reporting",
+        "tasks", "reporting", "preset_text",
     },
     "cli": {
         "bridge", "geometry", "report", "properties", "overlay", "choices", "tasks", "reporting",
     },
     "registration": {
-        "properties", "operators", "panels", "overlay", "handlers", "cli", "preferences",
+        "properties", "operators", "panels", "overlay", "handlers", "cli", "preferences", "presets",
     },
 }  # fmt: skip
 

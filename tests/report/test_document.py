@@ -71,6 +71,8 @@ def test_an_object_is_measured_by_formula() -> None:
     assert flat["min_radius"] is None
     assert block["warnings"] == ["1 vertex has no faces and no curvature"]
     assert block["curvature_limit"] == 0.08
+    assert block["criterion"] == "PANEL"
+    assert block["criterion_words"].endswith("within 10 mm of a cylinder over a 1 m panel")
 
 
 def test_regions_are_listed_by_falling_area_with_their_own_numbers() -> None:
@@ -127,6 +129,9 @@ def test_the_table_has_a_unit_for_every_measure_that_needs_one() -> None:
     assert list(rows[0]) == ["object", "group", "name", "measure", "value", "unit"]
     units = {(row["group"], row["measure"]): row["unit"] for row in rows}
     assert units["object", "area"] == "m²"
+    assert units["setting", "panel_size"] == "m"
+    assert units["setting", "min_area"] == "m²"
+    assert units["setting", "criterion_words"] == ""
     assert units["class", "area"] == "m²"
     assert units["class", "min_radius"] == "m"
     assert units["class", "share"] == ""

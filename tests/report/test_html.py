@@ -12,6 +12,12 @@ from typing import Any
 import pytest
 from architectural_curvature.addon.geometry.analysis import analyze
 from architectural_curvature.addon.geometry.creases import DEFAULT_CREASE_ANGLE
+from architectural_curvature.addon.geometry.criterion import (
+    Criterion,
+    panel_criterion,
+    radius_criterion,
+    raw_criterion,
+)
 from architectural_curvature.addon.geometry.mesh import mesh_from_polygons
 from architectural_curvature.addon.geometry.segmentation import segment
 from architectural_curvature.addon.geometry.settings import AnalysisSettings
@@ -89,6 +95,41 @@ def test_colors_of_the_user_are_used(document: dict[str, Any]) -> None:
 
 def test_settings_that_differ_are_told(document: dict[str, Any]) -> None:
     assert "<td>Deviation</td><td>differs between the objects</td>" in html_text(document)
+
+
+def _limits_said(criterion: Criterion) -> str:
+    analysis = analyze(
+        mesh_from_polygons(*capped_cylinder(1.0, 2.0, 32, 8)),
+        AnalysisSettings(DEFAULT_CREASE_ANGLE),
+    )
+    segmentation = segment(analysis.surface, analysis.curvature, criterion)
+    block = {"name": "Drum", "source": "", **measure_object(analysis, segmentation)}
+    block["criterion_preset"], block["criterion_source"] = "Glass <8>", "By a maker"
+    page = html_text(build_document("1.2.3", "4.5.0", {"criterion": criterion.kind.name}, [block]))
+    assert "Preset Glass &lt;8&gt;: By a maker." in page
+    assert f"<td>Criterion</td><td>{criterion.kind.value}</td>" in page
+    return page
+
+
+def test_every_criterion_is_said_in_words() -> None:
+    # 0.5² / (8 · 0.005) = 6.25 m.
+    page = _limits_said(panel_criterion(Tolerance(0.5, 0.005)))
+    assert "straight above a radius of 6.25 m" in page
+    assert "within 5 mm of a cylinder over a 0.5 m panel" in page
+    assert "a radius of at least 3 m" in _limits_said(radius_criterion(3.0, 0.5))
+    page = _limits_said(raw_criterion(0.01, 0.2, 0.5))
+    assert "|K| of at most 0.01 1/m²" in page
+    assert "|H| of at most 0.2 1/m" in page
+
+
+def test_the_criterion_before_is_told(document: dict[str, Any]) -> None:
+    block = {
+        **document["objects"][0],
+        "comparison": {"flat": {"before": 1.0, "after": 2.0}},
+        "previous_criterion": "straight: radius of at least 3 m",
+    }
+    page = html_text({**document, "objects": [block]})
+    assert "Criterion before: straight: radius of at least 3 m" in page
 
 
 def test_histograms_hold_all_area(document: dict[str, Any]) -> None:

@@ -1,0 +1,7 @@
+import bpy
+settings = bpy.context.scene.curvature
+
+settings.criterion = 'RADIUS'
+settings.smallest_radius = 0.7874
+settings.criterion_preset = 'Aircraft Plywood 6.4 mm 90 Degrees'
+settings.criterion_source = 'FAA AC 43.13-1B, 0.250 in bent dry on a cold mandrel to 31 in, axis at 90 degrees to the face grain (engineersedge.com)'
