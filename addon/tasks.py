@@ -10,8 +10,10 @@ from dataclasses import dataclass, field
 from bpy.types import Context, Object
 
 from .bridge import cache, display, results
+from .bridge.edits import Edits, read_edits
 from .bridge.material import show as show_material
 from .bridge.mode import object_mode
+from .bridge.outlines import discard_outlines
 from .bridge.separation import discard_parts
 from .bridge.subject import (
     Subject,
@@ -77,7 +79,8 @@ def analyze_objects(
     """
 
     def write(subject: Subject) -> Object:
-        return _write_analysis(context, subject, settings, _tolerance(subject, panel))
+        edits, tolerance = read_edits(subject), _tolerance(subject, panel)
+        return _write_analysis(context, subject, settings, tolerance, edits)
 
     with object_mode(context):
         outcome = _for_each(context, objects, settings, write, on_progress)
@@ -91,6 +94,7 @@ def segment_objects(
     settings: AnalysisSettings,
     panel: SegmentationSettings,
     on_progress: Progress | None = None,
+    given: Edits | None = None,
 ) -> Outcome:
     """Segment objects into classes and regions, and show the classes.
 
@@ -104,6 +108,8 @@ def segment_objects(
     settings : AnalysisSettings
     panel : SegmentationSettings
     on_progress : callable, optional
+    given : Edits, optional
+        In place of those that the objects have.
 
     Returns
     -------
@@ -112,9 +118,17 @@ def segment_objects(
 
     def write(subject: Subject) -> Object:
         analysis, tolerance = subject.analysis, _tolerance(subject, panel)
-        segmentation = segment(analysis.surface, analysis.curvature, tolerance, panel.min_area)
-        carrier = _write_analysis(context, subject, settings, tolerance)
-        results.write_segmentation(subject, carrier, segmentation)
+        edits = given or read_edits(subject)
+        segmentation = segment(
+            analysis.surface,
+            analysis.curvature,
+            tolerance,
+            panel.min_area,
+            edits.locked,
+            edits.cuts,
+        )
+        carrier = _write_analysis(context, subject, settings, tolerance, edits)
+        results.write_segmentation(subject, carrier, segmentation, panel, edits)
         display.write_class_colors(carrier.data, context.scene.curvature)
         return carrier
 
@@ -161,12 +175,16 @@ def _for_each(
 
 
 def _write_analysis(
-    context: Context, subject: Subject, settings: AnalysisSettings, tolerance: Tolerance
+    context: Context,
+    subject: Subject,
+    settings: AnalysisSettings,
+    tolerance: Tolerance,
+    edits: Edits,
 ) -> Object:
     _drop_results_elsewhere(context, subject)
     carrier = prepare_carrier(subject, context.scene, context.evaluated_depsgraph_get())
     if not results.is_current(carrier.data, subject):
-        results.write_curvature(subject, carrier, settings)
+        results.write_curvature(subject, carrier, settings, edits)
         display.write_curvature_colors(carrier.data, subject.analysis, context.scene.curvature)
     results.write_point_types(carrier.data, subject.analysis, tolerance)
     reveal_carrier(context, subject.source, carrier)
@@ -203,6 +221,6 @@ def _clear(context: Context, obj: Object) -> bool:
     for user in users_of(source.data):
         show_material(user, False)
     had_results = results.clear_results(source.data) if source.data.library is None else False
-    had_parts = discard_parts(source)
+    had_parts = [discard_parts(source), discard_outlines(source)]
     had_copy = discard_carrier(context, source)
-    return had_results or had_parts or had_copy
+    return had_results or had_copy or any(had_parts)

@@ -19,6 +19,8 @@ from ..geometry.display.legend import LIGHT, Layout, Legend, lay_out
 from ..geometry.types import AnyArray, Floats
 from ..report.files import FileRefusedError, written_whole
 from .mesh import positions
+from .outlines import outlines_of
+from .subject import source_of
 
 Direction = tuple[float, float, float]
 
@@ -67,7 +69,10 @@ def render(
         if legend is not None:
             key = _draw_legend(legend, scale, temporary)
         with _scene("Curvature Picture", size) as scene:
-            for obj in objects:
+            for obj in [
+                *objects,
+                *(each for obj in objects for each in outlines_of(source_of(obj))),
+            ]:
                 scene.collection.objects.link(obj)
             _aim_camera(scene, objects, eye, key.shape[1] + margin if legend else 0)
             _shade_model(scene)

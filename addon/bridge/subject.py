@@ -38,6 +38,8 @@ class Subject:
     analysis : Analysis
     has_base_topology : bool
         Whether the source's modifiers leave its faces as they are.
+    center : (3,) float64
+        In the object's coordinates; meters are counted from here.
     """
 
     source: Object
@@ -45,6 +47,7 @@ class Subject:
     fingerprint: str
     analysis: Analysis
     has_base_topology: bool
+    center: Floats
 
 
 def source_of(obj: Object) -> Object:
@@ -112,7 +115,8 @@ def read_subject(
     if analysis is None:
         analysis = analyze(polygon_mesh, settings, on_progress)
         cache.keep(fingerprint, analysis)
-    return Subject(obj, to_meters, fingerprint, analysis, has_base_topology)
+    ends = np.stack([stored.min(axis=0), stored.max(axis=0)]).astype(np.float64)
+    return Subject(obj, to_meters, fingerprint, analysis, has_base_topology, ends.mean(axis=0))
 
 
 def prepare_carrier(subject: Subject, scene: Scene, depsgraph: Depsgraph) -> Object:

@@ -27,11 +27,13 @@ _ALLOWED = {
     "progress": {"geometry"},
     "handlers": {"bridge", "overlay"},
     "tasks": {"bridge", "geometry"},
+    "outlining": {"bridge", "geometry"},
+    "editing": {"bridge", "geometry", "tasks"},
     "reporting": {"bridge", "geometry", "report", "tasks", "version"},
     "panels": {"bridge", "geometry", "properties"},
     "operators": {
         "bridge", "geometry", "report", "properties", "overlay", "choices", "polls", "progress",
-        "tasks", "reporting",
+        "tasks", "reporting", "outlining", "editing",
     },
     "cli": {
         "bridge", "geometry", "report", "properties", "overlay", "choices", "tasks", "reporting",
