@@ -79,7 +79,7 @@ def assign_class(surface_class: int) -> Change:
 
 
 def merge_regions(target: Target) -> tuple[Indices, Indices]:
-    """Make one of the regions that the selected faces are of, of the class with the largest area."""
+    """Make one of the regions with selected faces, of the class that covers most of them."""
     regions = _selected_regions(target)
     if len(regions) < 2:
         raise CurvatureError("select faces of at least two regions")

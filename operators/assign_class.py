@@ -15,6 +15,11 @@ from ..addon.progress import progress
 from ..addon.properties.items import CLASS_ITEMS
 from ..addon.reporting import conclude
 
+_ITEMS = (
+    *(item for item in CLASS_ITEMS if item[0] != SurfaceClass.UNDEFINED.name),
+    (SurfaceClass.UNDEFINED.name, "Free", "What the segmentation finds by itself", 0),
+)
+
 
 class CURVATURE_OT_assign_class(Operator):
     """Give the selected faces a class that later runs keep."""
@@ -27,10 +32,7 @@ class CURVATURE_OT_assign_class(Operator):
     surface_class: EnumProperty(
         name="Class",
         description="Class to give, or whether faces are free again",
-        items=(
-            *(item for item in CLASS_ITEMS if item[0] != SurfaceClass.UNDEFINED.name),
-            (SurfaceClass.UNDEFINED.name, "Free", "What the segmentation finds by itself", 0),
-        ),
+        items=_ITEMS,
         default=SurfaceClass.FLAT.name,
         options={"SKIP_SAVE"},
     )

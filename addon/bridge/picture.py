@@ -69,11 +69,9 @@ def render(
         if legend is not None:
             key = _draw_legend(legend, scale, temporary)
         with _scene("Curvature Picture", size) as scene:
-            for obj in [
-                *objects,
-                *(each for obj in objects for each in outlines_of(source_of(obj))),
-            ]:
-                scene.collection.objects.link(obj)
+            lines = [line for obj in objects for line in outlines_of(source_of(obj))]
+            for shown in [*objects, *lines]:
+                scene.collection.objects.link(shown)
             _aim_camera(scene, objects, eye, key.shape[1] + margin if legend else 0)
             _shade_model(scene)
             picture = _render(scene, temporary)

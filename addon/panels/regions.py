@@ -21,7 +21,9 @@ class CURVATURE_UL_regions(UIList):
         layout: UILayout,
         _data: object,
         item: PropertyGroup,
-        *_arguments: object,
+        _icon: int,
+        _active_data: object,
+        _active_name: str,
     ) -> None:
         """Draw one region as a row of figures."""
         scene = context.scene
