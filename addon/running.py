@@ -36,7 +36,15 @@ class RunningOperator(Operator):
             return {"CANCELLED"}
         with progress(context.window_manager) as advance:
             outcome = complete(steps, advance)
+        return self.finish(context, outcome)
+
+    def finish(self, _context: Context, outcome: Outcome) -> set[str]:
+        """Tell what became of the objects."""
         return conclude(self, outcome, self.verb)
+
+    def invoke(self, context: Context, _event: Event) -> set[str]:
+        """Run the task beside the window."""
+        return self.start(context)
 
     def start(self, context: Context) -> set[str]:
         """Run the task beside the window."""
@@ -46,7 +54,7 @@ class RunningOperator(Operator):
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         if self._run.advance(_PATIENCE):
-            return conclude(self, self._run.result, self.verb)
+            return self.finish(context, self._run.result)
         manager = context.window_manager
         self._timer = manager.event_timer_add(_TICK, window=context.window)
         manager.progress_begin(0, 100)
@@ -68,7 +76,7 @@ class RunningOperator(Operator):
             context.workspace.status_text_set(f"{self.bl_label}: {share} %    Esc: Cancel")
             return {"RUNNING_MODAL"}
         self._leave(context)
-        return conclude(self, self._run.result, self.verb)
+        return self.finish(context, self._run.result)
 
     def cancel(self, context: Context) -> None:
         """Stop with Blender, or with the file that is closed."""

@@ -13,8 +13,10 @@ from bpy.types import Context, Mesh, Object
 
 from .bridge import cache, display, results
 from .bridge.criteria import preset_of
+from .bridge.edits import Edits, read_edits
 from .bridge.material import show as show_material
 from .bridge.mode import object_mode
+from .bridge.outlines import discard_outlines
 from .bridge.separation import discard_parts
 from .bridge.subject import (
     Reading,
@@ -87,11 +89,11 @@ def analyze_objects(
     Steps of Outcome
     """
 
-    def compute(reading: Reading, on_progress: Progress) -> Subject:
+    def compute(reading: Reading, _edits: Edits, on_progress: Progress) -> Subject:
         return reading.analyzed(on_progress)
 
-    def write(subject: Subject) -> Object:
-        return _write_analysis(context, subject, settings, _criterion(subject, panel))
+    def write(subject: Subject, edits: Edits) -> Object:
+        return _write_analysis(context, subject, settings, _criterion(subject, panel), edits)
 
     with object_mode(context):
         outcome = yield from _for_each(context, objects, settings, compute, write)
@@ -104,6 +106,7 @@ def segment_objects(
     objects: list[Object],
     settings: AnalysisSettings,
     panel: SegmentationSettings,
+    given: Edits | None = None,
 ) -> Steps[Outcome]:
     """Segment objects into classes and regions, and show the classes.
 
@@ -116,6 +119,8 @@ def segment_objects(
         Mesh objects; modes are left for the time of the work.
     settings : AnalysisSettings
     panel : SegmentationSettings
+    given : Edits, optional
+        In place of those that the objects have.
 
     Returns
     -------
@@ -123,7 +128,9 @@ def segment_objects(
     """
     preset = preset_of(context.scene, panel)
 
-    def compute(reading: Reading, on_progress: Progress) -> tuple[Subject, Segmentation]:
+    def compute(
+        reading: Reading, edits: Edits, on_progress: Progress
+    ) -> tuple[Subject, Segmentation]:
         subject = reading.analyzed(part_of(on_progress, 0.0, _ANALYSIS))
         analysis = subject.analysis
         return subject, segment(
@@ -131,18 +138,20 @@ def segment_objects(
             analysis.curvature,
             _criterion(subject, panel),
             panel.min_area,
-            on_progress=part_of(on_progress, _ANALYSIS, 1.0),
+            edits.locked,
+            edits.cuts,
+            part_of(on_progress, _ANALYSIS, 1.0),
         )
 
-    def write(found: tuple[Subject, Segmentation]) -> Object:
+    def write(found: tuple[Subject, Segmentation], edits: Edits) -> Object:
         subject, segmentation = found
-        carrier = _write_analysis(context, subject, settings, segmentation.criterion)
-        results.write_segmentation(subject, carrier, segmentation, preset)
+        carrier = _write_analysis(context, subject, settings, segmentation.criterion, edits)
+        results.write_segmentation(subject, carrier, segmentation, panel, edits, preset)
         display.write_class_colors(carrier.data, context.scene.curvature)
         return carrier
 
     with object_mode(context):
-        outcome = yield from _for_each(context, objects, settings, compute, write)
+        outcome = yield from _for_each(context, objects, settings, compute, write, given)
         _show(context, outcome, ("CLASS", "REGION"))
     return outcome
 
@@ -159,35 +168,41 @@ def _for_each(
     context: Context,
     objects: list[Object],
     settings: AnalysisSettings,
-    compute: Callable[[Reading, Progress], Found],
-    write: Callable[[Found], Object],
+    compute: Callable[[Reading, Edits, Progress], Found],
+    write: Callable[[Found, Edits], Object],
+    given: Edits | None = None,
 ) -> Steps[Outcome]:
     """Read and compute one object after the other, then write all.
 
     A refusal stops only its own object. Whoever cancels finds everything as it was.
     """
     outcome = Outcome()
-    computed: list[Found] = []
+    computed: list[tuple[Found, Edits]] = []
     for number, obj in enumerate(objects):
         try:
             reading = read_object(obj, context.scene, context.evaluated_depsgraph_get(), settings)
+            edits = given or read_edits(reading)
             found = yield Work(
-                partial(compute, reading), number / len(objects), (number + 1) / len(objects)
+                partial(compute, reading, edits), number / len(objects), (number + 1) / len(objects)
             )
-            computed.append(found)
+            computed.append((found, edits))
         except CurvatureError as error:
             outcome.refused.append(f"{obj.name}: {error}")
-    outcome.carriers += [write(found) for found in computed]
+    outcome.carriers += [write(found, edits) for found, edits in computed]
     return outcome
 
 
 def _write_analysis(
-    context: Context, subject: Subject, settings: AnalysisSettings, criterion: Criterion
+    context: Context,
+    subject: Subject,
+    settings: AnalysisSettings,
+    criterion: Criterion,
+    edits: Edits,
 ) -> Object:
     _drop_results_elsewhere(context, subject)
     carrier = prepare_carrier(subject, context.scene, context.evaluated_depsgraph_get())
     if not results.is_current(carrier.data, subject):
-        results.write_curvature(subject, carrier, settings)
+        results.write_curvature(subject, carrier, settings, edits)
         display.write_curvature_colors(carrier.data, subject.analysis, context.scene.curvature)
     results.write_point_types(carrier.data, subject.analysis, criterion)
     reveal_carrier(context, subject.source, carrier)
@@ -223,6 +238,6 @@ def _clear(context: Context, obj: Object) -> bool:
     for user in users_of(source.data):
         show_material(user, False)
     had_results = results.clear_results(source.data) if source.data.library is None else False
-    had_parts = discard_parts(source)
+    had_parts = [discard_parts(source), discard_outlines(source)]
     had_copy = discard_carrier(context, source)
-    return had_results or had_parts or had_copy
+    return had_results or had_copy or any(had_parts)

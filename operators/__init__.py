@@ -7,14 +7,19 @@ from __future__ import annotations
 import bpy
 
 from .analyze import CURVATURE_OT_analyze
+from .assign_class import CURVATURE_OT_assign_class
 from .clear import CURVATURE_OT_clear
 from .deliver import CURVATURE_OT_deliver
 from .export_report import CURVATURE_OT_export_report
+from .merge_regions import CURVATURE_OT_merge_regions
+from .outline import CURVATURE_OT_outline
 from .preset_add import CURVATURE_OT_preset_add
 from .segment import CURVATURE_OT_segment
 from .select_class import CURVATURE_OT_select_class
+from .select_region import CURVATURE_OT_select_region
 from .separate import CURVATURE_OT_separate
 from .show import CURVATURE_OT_show
+from .split_region import CURVATURE_OT_split_region
 
 register, unregister = bpy.utils.register_classes_factory(
     (
@@ -22,9 +27,14 @@ register, unregister = bpy.utils.register_classes_factory(
         CURVATURE_OT_segment,
         CURVATURE_OT_show,
         CURVATURE_OT_select_class,
+        CURVATURE_OT_select_region,
+        CURVATURE_OT_assign_class,
+        CURVATURE_OT_merge_regions,
+        CURVATURE_OT_split_region,
         CURVATURE_OT_export_report,
         CURVATURE_OT_deliver,
         CURVATURE_OT_separate,
+        CURVATURE_OT_outline,
         CURVATURE_OT_clear,
         CURVATURE_OT_preset_add,
     )

@@ -51,6 +51,26 @@ class Layout:
         getattr(owner, name)
         self.properties.append(name)
 
+    def template_list(
+        self,
+        name: str,
+        _list_id: str,
+        owner: bpy.types.bpy_struct,
+        rows_name: str,
+        active_owner: bpy.types.bpy_struct,
+        active_name: str,
+        **_options: object,
+    ) -> None:
+        """Draw every item as the list would."""
+        drawer = getattr(bpy.types, name)
+        getattr(active_owner, active_name)
+        for item in getattr(owner, rows_name):
+            drawer.draw_item(None, bpy.context, self, owner, item, 0, active_owner, active_name)
+
+    def operator_menu_enum(self, name: str, prop: str, **_options: object) -> None:
+        """Keep the name of an operator, which must exist with an enumeration of this name."""
+        self.operator_enum(name, prop)
+
     def operator_enum(self, name: str, prop: str) -> None:
         """Keep the name of an operator, which must exist with an enumeration of this name."""
         module, function = name.split(".")

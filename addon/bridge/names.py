@@ -13,6 +13,10 @@ DIRECTION_2 = "curvature_direction_2"
 POINT_TYPE = "curvature_point_type"
 FACE_CLASS = "curvature_class"
 REGION = "curvature_region"
+LOCKED = "curvature_locked"
+CUT = "curvature_cut"
+#: Regions of classes that a change of the model has made stale: their names are still needed.
+FORMER_REGION = ".curvature_former_region"
 
 COLORS = {
     "GAUSSIAN": "Gaussian Curvature",
@@ -26,4 +30,11 @@ COLORS = {
 
 CURVATURE_ATTRIBUTES = (GAUSSIAN, MEAN, K1, K2, DIRECTION_1, DIRECTION_2, POINT_TYPE)
 CLASS_ATTRIBUTES = (FACE_CLASS, REGION, COLORS["CLASS"], COLORS["REGION"])
-ATTRIBUTES = (*CURVATURE_ATTRIBUTES, FACE_CLASS, REGION, *COLORS.values())
+EDIT_ATTRIBUTES = (LOCKED, CUT, FORMER_REGION)
+ATTRIBUTES = (
+    *CURVATURE_ATTRIBUTES,
+    FACE_CLASS,
+    REGION,
+    *EDIT_ATTRIBUTES,
+    *COLORS.values(),
+)

@@ -19,6 +19,8 @@ from ..geometry.display.legend import LIGHT, Layout, Legend, lay_out
 from ..geometry.types import AnyArray, Floats
 from ..report.files import FileRefusedError, written_whole
 from .mesh import positions
+from .outlines import outlines_of
+from .subject import source_of
 
 Direction = tuple[float, float, float]
 
@@ -67,8 +69,9 @@ def render(
         if legend is not None:
             key = _draw_legend(legend, scale, temporary)
         with _scene("Curvature Picture", size) as scene:
-            for obj in objects:
-                scene.collection.objects.link(obj)
+            lines = [line for obj in objects for line in outlines_of(source_of(obj))]
+            for shown in [*objects, *lines]:
+                scene.collection.objects.link(shown)
             _aim_camera(scene, objects, eye, key.shape[1] + margin if legend else 0)
             _shade_model(scene)
             picture = _render(scene, temporary)

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -15,20 +16,28 @@ from ..geometry.analysis import Analysis
 from ..geometry.classification import SurfaceClass
 from ..geometry.criterion import Criterion, classify_by
 from ..geometry.segmentation import Segmentation
-from ..geometry.settings import AnalysisSettings, Smoothing
+from ..geometry.settings import (
+    AnalysisSettings,
+    CriterionKind,
+    SegmentationSettings,
+    Smoothing,
+)
 from ..geometry.types import AnyArray, Floats
 from ..report.measures import CLASS_KEYS, measure_object
 from . import names
 from .attributes import remove_attributes, write_attribute
 from .criteria import criterion_of, write_criterion
+from .edits import Edits, names_after, write_edits
 from .numbers import as_typed, as_typed_angle
+from .region_list import region_names, write_regions
 from .subject import Subject
 
-#: Regions beyond these are in the reports, but not at hand for panels and legends.
-MOST_LISTED_REGIONS = 200
+_OUTLINE_KEYS = {"BORDERS": "borders", "PARABOLIC": "parabolic_curves"}
 
 
-def write_curvature(subject: Subject, carrier: Object, settings: AnalysisSettings) -> None:
+def write_curvature(
+    subject: Subject, carrier: Object, settings: AnalysisSettings, edits: Edits
+) -> None:
     """Write curvatures and directions of an analysis to the carrier's mesh.
 
     Classes of an earlier state of the model go; those of the same analysis stay.
@@ -40,6 +49,8 @@ def write_curvature(subject: Subject, carrier: Object, settings: AnalysisSetting
         Has the topology of the analyzed mesh.
     settings : AnalysisSettings
         What the analysis was made with.
+    edits : Edits
+        What the model had before.
     """
     mesh, analysis = carrier.data, subject.analysis
     curvature = analysis.curvature
@@ -67,7 +78,8 @@ def write_curvature(subject: Subject, carrier: Object, settings: AnalysisSetting
     results.smoothing = settings.smoothing.name
     results.smoothing_length = settings.smoothing_length
     if not results.is_segmented:
-        _write_summary(mesh, subject, measure_object(analysis))
+        _write_summary(mesh, subject, measure_object(analysis), edits.warnings)
+    write_edits(mesh, edits)
 
 
 def settings_of(mesh: Mesh) -> AnalysisSettings:
@@ -79,6 +91,21 @@ def settings_of(mesh: Mesh) -> AnalysisSettings:
         smoothing=Smoothing[results.smoothing],
         smoothing_length=as_typed(results.smoothing_length),
     )
+
+
+def segmentation_settings_of(mesh: Mesh) -> SegmentationSettings:
+    """Return the settings that a mesh was segmented with."""
+    values = json.loads(mesh.curvature.segmentation or "{}")
+    if "criterion" in values:
+        values["criterion"] = CriterionKind[values["criterion"]]
+    return SegmentationSettings(**values)
+
+
+def write_outline(mesh: Mesh, kind: str, count: int, length: float) -> None:
+    """Write how many curves of a kind were made of the results, and their length in meters."""
+    rows = mesh.curvature.outlines
+    row = next((row for row in rows if row.kind == kind), None) or rows.add()
+    row.kind, row.curves, row.length = kind, count, length
 
 
 def is_current(mesh: Mesh, subject: Subject) -> bool:
@@ -98,7 +125,12 @@ def write_point_types(mesh: Mesh, analysis: Analysis, criterion: Criterion) -> N
 
 
 def write_segmentation(
-    subject: Subject, carrier: Object, segmentation: Segmentation, preset: dict[str, str]
+    subject: Subject,
+    carrier: Object,
+    segmentation: Segmentation,
+    settings: SegmentationSettings,
+    edits: Edits,
+    preset: dict[str, str],
 ) -> None:
     """Write classes, regions and their measures to the carrier's mesh.
 
@@ -106,12 +138,20 @@ def write_segmentation(
     ----------
     subject : Subject
     carrier : Object
-        Has the topology of the analyzed mesh.
+        Carries the curvatures of the same analysis.
     segmentation : Segmentation
+    settings : SegmentationSettings
+        What was asked for, to be asked for again after an edit.
+    edits : Edits
+        What went into the segmentation, and the regions before.
     preset : dict
         Name and source of the preset that the criterion is of; see `preset_of`.
     """
     mesh, results = carrier.data, carrier.data.curvature
+    region_list = names_after(edits, segmentation, subject.analysis.surface.polygon_area)
+    remove_attributes(mesh, (names.FORMER_REGION,))
+    results.segmentation = _settings_text(settings)
+    results.outlines.clear()
     write_attribute(mesh, names.FACE_CLASS, "FACE", "INT", segmentation.face_class)
     write_attribute(mesh, names.REGION, "FACE", "INT", segmentation.regions.face_region)
     _keep_previous(mesh, {kind: each.area for kind, each in segmentation.classes.items()})
@@ -126,10 +166,12 @@ def write_segmentation(
         row.area, row.share = measure.area, measure.share
         row.faces, row.regions = measure.faces, measure.regions
         row.min_radius = measure.min_radius or 0.0
-    _write_regions(mesh, segmentation)
+    write_edits(mesh, edits)
+    write_regions(mesh, segmentation, region_list)
     block = measure_object(subject.analysis, segmentation)
     block |= {key: text for key, text in preset.items() if text}
-    _write_summary(mesh, subject, block | _comparison(mesh))
+    block["regions"] = _with_names(block["regions"], region_list)
+    _write_summary(mesh, subject, block | _comparison(mesh), edits.warnings)
 
 
 def class_changes(mesh: Mesh) -> list[tuple[SurfaceClass, float, float]]:
@@ -155,8 +197,15 @@ def previous_criterion(mesh: Mesh) -> str:
 
 def read_report(obj: Object) -> dict[str, Any] | None:
     """Return what was measured on an object's mesh, None where nothing was."""
-    text = obj.data.curvature.report
-    return json.loads(text) if text else None
+    results = obj.data.curvature
+    if not results.report:
+        return None
+    block = json.loads(results.report)
+    if "regions" in block:
+        block["regions"] = _with_names(block["regions"], region_names(obj.data))
+    for row in results.outlines:
+        block[_OUTLINE_KEYS[row.kind]] = {"count": row.curves, "length": as_typed(row.length)}
+    return block
 
 
 def clear_results(mesh: Mesh) -> bool:
@@ -164,7 +213,7 @@ def clear_results(mesh: Mesh) -> bool:
     removed = remove_attributes(mesh, names.ATTRIBUTES)
     results = mesh.curvature
     had_results = bool(removed or results.fingerprint)
-    results.fingerprint = results.report = ""
+    results.fingerprint = results.report = results.topology = results.segmentation = ""
     _forget_classes(mesh)
     results.previous.clear()
     results.warnings.clear()
@@ -215,21 +264,26 @@ def _forget_classes(mesh: Mesh) -> None:
     results.region_count = 0
     results.classes.clear()
     results.regions.clear()
+    results.outlines.clear()
 
 
-def _write_regions(mesh: Mesh, segmentation: Segmentation) -> None:
-    regions, results = segmentation.regions, mesh.curvature
-    results.region_count = regions.count
-    results.regions.clear()
-    for number in range(min(regions.count, MOST_LISTED_REGIONS)):
-        row = results.regions.add()
-        row.surface_class = SurfaceClass(int(regions.region_class[number])).name
-        row.area = float(regions.area[number])
-        row.min_radius = segmentation.region_min_radius[number] or 0.0
+def _with_names(rows: list[dict[str, Any]], found: list[str]) -> list[dict[str, Any]]:
+    """Return the regions of a report with their names."""
+    return [
+        {"id": row["id"], "name": name, **{k: v for k, v in row.items() if k != "name"}}
+        for row, name in zip(rows, found, strict=True)
+    ]
 
 
-def _write_summary(mesh: Mesh, subject: Subject, block: dict[str, Any]) -> None:
-    sentences = (*subject.analysis.warnings, *_undefined_warning(subject.analysis))
+def _settings_text(settings: SegmentationSettings) -> str:
+    values = asdict(settings) | {"criterion": settings.criterion.name}
+    return json.dumps(values)
+
+
+def _write_summary(
+    mesh: Mesh, subject: Subject, block: dict[str, Any], warnings: tuple[str, ...]
+) -> None:
+    sentences = (*warnings, *subject.analysis.warnings, *_undefined_warning(subject.analysis))
     sentences += _sharing_warning(subject.source)
     block = {"name": subject.source.name, "source": "", **block, "warnings": list(sentences)}
     results = mesh.curvature

@@ -15,6 +15,7 @@ from . import names
 from .attributes import read_attribute
 from .collection import link_beside, own_collections, remove_if_empty
 from .mesh import corner_vertices, polygon_sizes, positions, read_array
+from .region_list import region_names
 from .subject import source_of
 
 
@@ -40,9 +41,10 @@ def separate(carrier: Object, scene: Scene, by_region: bool) -> list[Object]:
     if labels is None:
         return []
     discard_parts(source)
+    found = region_names(carrier.data)
     made = []
     for label in np.unique(labels[labels >= 0]).tolist():
-        part = f"Region {label + 1}" if by_region else CLASS_NAMES[SurfaceClass(label)]
+        part = found[label] if by_region else CLASS_NAMES[SurfaceClass(label)]
         mesh = _part_of(carrier.data, labels == label, f"{source.name} {part}")
         obj = bpy.data.objects.new(f"{source.name} {part}", mesh)
         obj.curvature.part_of = source

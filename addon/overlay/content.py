@@ -112,8 +112,8 @@ def _region_key(obj: Object) -> ClassKey:
     listed = list(results.regions[:_MOST_REGIONS])
     colors = region_colors(np.arange(len(listed)))[:, :3].tolist()
     rows = tuple(
-        (_display_color(color), str(number), CLASS_NAMES[SurfaceClass[row.surface_class]])
-        for number, (color, row) in enumerate(zip(colors, listed, strict=True), 1)
+        (_display_color(color), row.name, CLASS_NAMES[SurfaceClass[row.surface_class]])
+        for color, row in zip(colors, listed, strict=True)
     )
     count = results.region_count
     more = (f"and {count - len(listed)} smaller ones",) if count > len(listed) else ()

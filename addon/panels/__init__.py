@@ -9,7 +9,9 @@ import bpy
 from .analysis import CURVATURE_PT_analysis
 from .changes import CURVATURE_PT_changes
 from .delivery import CURVATURE_PT_delivery
+from .outlines import CURVATURE_PT_outlines
 from .preset_menu import CURVATURE_MT_presets
+from .regions import CURVATURE_PT_regions, CURVATURE_UL_regions
 from .results import CURVATURE_PT_results
 from .segmentation import CURVATURE_PT_segmentation
 from .warnings import CURVATURE_PT_warnings
@@ -20,6 +22,9 @@ register, unregister = bpy.utils.register_classes_factory(
         CURVATURE_PT_segmentation,
         CURVATURE_PT_results,
         CURVATURE_PT_changes,
+        CURVATURE_UL_regions,
+        CURVATURE_PT_regions,
+        CURVATURE_PT_outlines,
         CURVATURE_PT_delivery,
         CURVATURE_PT_analysis,
         CURVATURE_PT_warnings,

@@ -10,6 +10,7 @@ from bpy.props import PointerProperty
 from .links import CURVATURE_PG_object, CURVATURE_PG_slot
 from .results import (
     CURVATURE_PG_class,
+    CURVATURE_PG_curves,
     CURVATURE_PG_region,
     CURVATURE_PG_results,
     CURVATURE_PG_warning,
@@ -21,6 +22,7 @@ _CLASSES = (
     CURVATURE_PG_warning,
     CURVATURE_PG_class,
     CURVATURE_PG_region,
+    CURVATURE_PG_curves,
     CURVATURE_PG_results,
     CURVATURE_PG_slot,
     CURVATURE_PG_object,

@@ -35,6 +35,11 @@ CRITERION_FIELDS = {
 }
 """Settings that matter to a criterion, in the order in which panels show them."""
 
+OUTLINE_ITEMS = (
+    ("BORDERS", "Region Borders", "Where regions meet one another or a crease", 0),
+    ("PARABOLIC", "Parabolic Curves", "Where domes turn into saddles: Gaussian curvature is 0", 1),
+)
+
 SMOOTHING_ITEMS = (
     ("AUTO", Smoothing.AUTO.value, "Measure the noise, and smooth no more than it asks for", 0),
     ("NONE", Smoothing.NONE.value, "Take every detail of the surface for real", 1),

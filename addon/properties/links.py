@@ -5,8 +5,16 @@
 from __future__ import annotations
 
 import bpy
-from bpy.props import BoolProperty, CollectionProperty, PointerProperty, StringProperty
+from bpy.props import (
+    BoolProperty,
+    CollectionProperty,
+    EnumProperty,
+    PointerProperty,
+    StringProperty,
+)
 from bpy.types import Object, PropertyGroup
+
+from .items import OUTLINE_ITEMS
 
 
 class CURVATURE_PG_slot(PropertyGroup):
@@ -30,6 +38,14 @@ class CURVATURE_PG_object(PropertyGroup):
         type=Object,
         name="Part Of",
         description="Object whose class or region this object was made of",
+    )
+    outline_of: PointerProperty(
+        type=Object,
+        name="Outline Of",
+        description="Object whose borders or parabolic curves this object shows",
+    )
+    outline: EnumProperty(
+        name="Outline", description="What the curves of this object follow", items=OUTLINE_ITEMS
     )
     slots: CollectionProperty(
         type=CURVATURE_PG_slot, name="Slots", description="Materials to bring back"

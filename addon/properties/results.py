@@ -14,7 +14,7 @@ from bpy.props import (
 )
 from bpy.types import PropertyGroup
 
-from .items import CLASS_ITEMS, CRITERION_ITEMS, SMOOTHING_ITEMS
+from .items import CLASS_ITEMS, CRITERION_ITEMS, OUTLINE_ITEMS, SMOOTHING_ITEMS
 
 
 class CURVATURE_PG_warning(PropertyGroup):
@@ -42,6 +42,9 @@ class CURVATURE_PG_class(PropertyGroup):
 class CURVATURE_PG_region(PropertyGroup):
     """One connected area of a class."""
 
+    name: StringProperty(
+        name="Name", description="Name of the region, which it keeps when it is segmented again"
+    )
     surface_class: EnumProperty(
         name="Class", description="Class of the region's faces", items=CLASS_ITEMS
     )
@@ -50,6 +53,15 @@ class CURVATURE_PG_region(PropertyGroup):
         name="Smallest Radius",
         description="Radius in meters that 99 % of the area does not fall below; 0 if flat",
     )
+    faces: IntProperty(name="Faces", description="Number of faces")
+
+
+class CURVATURE_PG_curves(PropertyGroup):
+    """Curves that were made of the results."""
+
+    kind: EnumProperty(name="Kind", description="What the curves follow", items=OUTLINE_ITEMS)
+    curves: IntProperty(name="Curves", description="Number of curves")
+    length: FloatProperty(name="Length", description="Length of all curves together in meters")
 
 
 class CURVATURE_PG_results(PropertyGroup):
@@ -102,6 +114,18 @@ class CURVATURE_PG_results(PropertyGroup):
         type=CURVATURE_PG_region, name="Regions", description="The largest regions, by area"
     )
     region_count: IntProperty(name="Region Count", description="Number of all regions")
+    active_region: IntProperty(
+        name="Active Region", description="Region that is chosen in the list, 0 for the largest"
+    )
+    outlines: CollectionProperty(
+        type=CURVATURE_PG_curves, name="Outlines", description="Curves made of these results"
+    )
+    topology: StringProperty(
+        name="Topology", description="Tells whether the faces are those that were segmented"
+    )
+    segmentation: StringProperty(
+        name="Segmentation", description="Settings of the segmentation, as JSON"
+    )
     warnings: CollectionProperty(
         type=CURVATURE_PG_warning, name="Warnings", description="What is unsound about the model"
     )

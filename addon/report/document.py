@@ -102,11 +102,16 @@ def _object_rows(block: dict[str, Any]) -> list[tuple[Any, ...]]:
     for region in block.get("regions", ()):
         rows += [
             ("region", region["id"], name, region[name], _unit(name))
-            for name in ("class", "area", "faces", "min_radius", "boundary_length")
+            for name in ("name", "class", "area", "faces", "min_radius", "boundary_length")
+            if name in region
+        ]
+    for key in ("borders", "parabolic_curves"):
+        rows += [
+            ("curves", key, name, value, _unit(name)) for name, value in block.get(key, {}).items()
         ]
     rows += [("warning", "", "", sentence, "") for sentence in block["warnings"]]
     return rows
 
 
 def _unit(measure: str) -> str:
-    return {"area": "m²", "min_radius": "m", "boundary_length": "m"}.get(measure, "")
+    return {"area": "m²", "min_radius": "m", "boundary_length": "m", "length": "m"}.get(measure, "")

@@ -105,7 +105,10 @@ def test_regions_have_a_key_with_their_classes() -> None:
     bpy.ops.curvature.show(quantity="REGION")
     legend = _legend()
     assert isinstance(legend, ClassKey)
-    assert [row[1:] for row in legend.rows] == [("1", "Flat"), ("2", "Flat")]
+    assert [row[1:] for row in legend.rows] == [
+        ("Region 1", "Flat"),
+        ("Region 2", "Flat"),
+    ]
 
 
 def test_legend_of_the_source_is_that_of_its_copy() -> None:

@@ -37,7 +37,7 @@ CLASSES = (
     "undefined",
 )
 MEASURES = {"area", "share", "faces", "regions", "min_radius"}
-REGION = {"id", "class", "area", "faces", "min_radius", "boundary_length"}
+REGION = {"id", "name", "class", "area", "faces", "min_radius", "boundary_length"}
 
 
 @pytest.fixture

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from .jet_fit import JetOptions
 
-#: Small meshes are given three rings, which costs nobody a quarter of a second and halves the error.
+#: Small meshes are given three rings: they cost no quarter of a second, and halve the error.
 #: Large ones are fine enough for two.
 LARGE = 15_000
 THREE_RINGS = (3, JetOptions(falloff=6.0, softening=0.1))
