@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from bpy.types import Context, Event, Operator
+from bpy.types import Context, Event
 
 from .geometry.errors import CurvatureError
 from .progress import progress
@@ -18,7 +18,7 @@ _PATIENCE = 0.3
 _TICK = 0.1
 
 
-class RunningOperator(Operator):
+class RunningOperator:
     """An operator that runs a task: at once from a script, beside the window from a button."""
 
     verb = "Done"

@@ -7,7 +7,7 @@ from __future__ import annotations
 from math import pi
 
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
-from bpy.types import Context, Event
+from bpy.types import Context, Event, Operator
 
 from ..addon import polls, tasks
 from ..addon.bridge.subject import selected_subjects
@@ -19,7 +19,7 @@ from ..addon.steps import Steps
 _NAMES = ("smoothing", "smoothing_length", "crease_angle", "flip_normals")
 
 
-class CURVATURE_OT_analyze(RunningOperator):
+class CURVATURE_OT_analyze(RunningOperator, Operator):
     """Measure the curvature of the selected meshes and store it as attributes."""
 
     bl_idname = "curvature.analyze"

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from bpy.props import EnumProperty
-from bpy.types import Context
+from bpy.types import Context, Operator
 
 from ..addon import editing, polls
 from ..addon.bridge.subject import selected_subjects
@@ -22,7 +22,7 @@ _ITEMS = (
 )
 
 
-class CURVATURE_OT_assign_class(RunningOperator):
+class CURVATURE_OT_assign_class(RunningOperator, Operator):
     """Give the selected faces a class that later runs keep."""
 
     bl_idname = "curvature.assign_class"

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from bpy.types import Context
+from bpy.types import Context, Operator
 
 from ..addon import editing, polls
 from ..addon.bridge.subject import selected_subjects
@@ -13,7 +13,7 @@ from ..addon.running import RunningOperator
 from ..addon.steps import Steps
 
 
-class CURVATURE_OT_merge_regions(RunningOperator):
+class CURVATURE_OT_merge_regions(RunningOperator, Operator):
     """Make one region of those that faces are selected of."""
 
     bl_idname = "curvature.merge_regions"

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
-from bpy.types import Context
+from bpy.types import Context, Operator
 
 from ..addon import polls
 from ..addon.bridge import units
@@ -18,7 +18,7 @@ from ..addon.steps import Steps
 _NOUNS = {"BORDERS": ("border", "borders"), "PARABOLIC": ("parabolic curve", "parabolic curves")}
 
 
-class CURVATURE_OT_outline(RunningOperator):
+class CURVATURE_OT_outline(RunningOperator, Operator):
     """Make curve objects of the region borders and parabolic curves of the selected meshes."""
 
     bl_idname = "curvature.outline"

@@ -7,7 +7,7 @@ from __future__ import annotations
 from math import pi
 
 from bpy.props import EnumProperty, FloatProperty
-from bpy.types import Context, Event
+from bpy.types import Context, Event, Operator
 
 from ..addon import polls, tasks
 from ..addon.bridge.subject import selected_subjects
@@ -20,7 +20,7 @@ _LIMITS = ("panel_size", "deviation", "smallest_radius", "gaussian_limit", "mean
 _NAMES = ("criterion", *_LIMITS, "crease_angle", "min_area")
 
 
-class CURVATURE_OT_segment(RunningOperator):
+class CURVATURE_OT_segment(RunningOperator, Operator):
     """Segment the selected meshes into flat, single-curved and double-curved areas."""
 
     bl_idname = "curvature.segment"

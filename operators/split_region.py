@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from bpy.types import Context
+from bpy.types import Context, Operator
 
 from ..addon import editing, polls
 from ..addon.bridge.subject import selected_subjects
@@ -13,7 +13,7 @@ from ..addon.running import RunningOperator
 from ..addon.steps import Steps
 
 
-class CURVATURE_OT_split_region(RunningOperator):
+class CURVATURE_OT_split_region(RunningOperator, Operator):
     """Part the selected faces from the rest of their region."""
 
     bl_idname = "curvature.split_region"

@@ -5,12 +5,11 @@
 from __future__ import annotations
 
 import json
-import math
 from dataclasses import asdict
 from typing import Any
 
 import numpy as np
-from bpy.types import Mesh, Object, bpy_prop_collection
+from bpy.types import Mesh, Object
 
 from ..geometry.analysis import Analysis
 from ..geometry.classification import SurfaceClass
@@ -23,10 +22,11 @@ from ..geometry.settings import (
     Smoothing,
 )
 from ..geometry.types import AnyArray, Floats
-from ..report.measures import CLASS_KEYS, measure_object
+from ..report.measures import measure_object
 from . import names
 from .attributes import remove_attributes, write_attribute
-from .criteria import criterion_of, write_criterion
+from .comparison import comparison_of, keep_previous
+from .criteria import write_criterion
 from .edits import Edits, names_after, write_edits
 from .numbers import as_typed, as_typed_angle
 from .region_list import region_names, write_regions
@@ -154,7 +154,7 @@ def write_segmentation(
     results.outlines.clear()
     write_attribute(mesh, names.FACE_CLASS, "FACE", "INT", segmentation.face_class)
     write_attribute(mesh, names.REGION, "FACE", "INT", segmentation.regions.face_region)
-    _keep_previous(mesh, {kind: each.area for kind, each in segmentation.classes.items()})
+    keep_previous(mesh, {kind: each.area for kind, each in segmentation.classes.items()})
     results.is_segmented = True
     write_criterion(mesh, segmentation)
     results.criterion_preset = preset["criterion_preset"]
@@ -171,28 +171,7 @@ def write_segmentation(
     block = measure_object(subject.analysis, segmentation)
     block |= {key: text for key, text in preset.items() if text}
     block["regions"] = _with_names(block["regions"], region_list)
-    _write_summary(mesh, subject, block | _comparison(mesh), edits.warnings)
-
-
-def class_changes(mesh: Mesh) -> list[tuple[SurfaceClass, float, float]]:
-    """Return class, area before and area now in m², of the classes that changed.
-
-    Empty where there was no segmentation before, or nothing has changed since.
-    """
-    before, now = _areas(mesh.curvature.previous), _areas(mesh.curvature.classes)
-    if not before or not now:
-        return []
-    return [
-        (kind, before.get(kind, 0.0), area)
-        for kind, area in now.items()
-        if not math.isclose(area, before.get(kind, 0.0), rel_tol=1e-6, abs_tol=1e-12)
-    ]
-
-
-def previous_criterion(mesh: Mesh) -> str:
-    """Return the criterion of the classes before in words, empty if it is the one at hand."""
-    previous = mesh.curvature.previous_criterion
-    return "" if previous == criterion_of(mesh).words else previous
+    _write_summary(mesh, subject, block | comparison_of(mesh), edits.warnings)
 
 
 def read_report(obj: Object) -> dict[str, Any] | None:
@@ -220,46 +199,9 @@ def clear_results(mesh: Mesh) -> bool:
     return had_results
 
 
-def _comparison(mesh: Mesh) -> dict[str, Any]:
-    """Return the changes since the segmentation before as reports have them."""
-    changes = class_changes(mesh)
-    if not changes:
-        return {}
-    previous = previous_criterion(mesh)
-    return {
-        "comparison": {
-            CLASS_KEYS[kind]: {"before": before, "after": after} for kind, before, after in changes
-        },
-        **({"previous_criterion": previous} if previous else {}),
-    }
-
-
-def _keep_previous(mesh: Mesh, areas: dict[SurfaceClass, float]) -> None:
-    """Keep the classes at hand for comparison, unless the new ones are the same."""
-    results = mesh.curvature
-    at_hand = _areas(results.classes)
-    if not at_hand or (
-        areas
-        and all(
-            math.isclose(at_hand.get(kind, 0.0), area, rel_tol=1e-6, abs_tol=1e-12)
-            for kind, area in areas.items()
-        )
-    ):
-        return
-    results.previous_criterion = criterion_of(mesh).words
-    results.previous.clear()
-    for kind, area in at_hand.items():
-        row = results.previous.add()
-        row.surface_class, row.area = kind.name, area
-
-
-def _areas(rows: bpy_prop_collection) -> dict[SurfaceClass, float]:
-    return {SurfaceClass[row.surface_class]: row.area for row in rows}
-
-
 def _forget_classes(mesh: Mesh) -> None:
     results = mesh.curvature
-    _keep_previous(mesh, {})
+    keep_previous(mesh, {})
     results.is_segmented = False
     results.region_count = 0
     results.classes.clear()

@@ -7,7 +7,7 @@ from __future__ import annotations
 from bpy.types import Context, Panel
 
 from ..bridge import units
-from ..bridge.results import class_changes, previous_criterion
+from ..bridge.comparison import class_changes, previous_criterion
 from ..geometry.display.palette import CLASS_NAMES
 from .base import SidebarPanel, active_results_mesh
 from .text import wrap
