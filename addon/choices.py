@@ -16,12 +16,13 @@ from .geometry.settings import (
     SegmentationSettings,
     Smoothing,
 )
+from .preset_text import LIMITS
 
-LIMITS = {
-    "deviation": CriterionKind.PANEL,
-    "smallest_radius": CriterionKind.RADIUS,
-    "gaussian_limit": CriterionKind.RAW,
-    "mean_limit": CriterionKind.RAW,
+CRITERION_OF = {
+    name: CriterionKind[kind]
+    for kind, names in LIMITS.items()
+    for name in names
+    if name != "panel_size"
 }
 """Which criterion a limit is of; the panel size counts with all of them."""
 
@@ -31,6 +32,13 @@ def adopt_settings(operator: Operator, context: Context, names: tuple[str, ...])
     for name in names:
         if not operator.properties.is_property_set(name):
             setattr(operator, name, getattr(context.scene.curvature, name))
+
+
+def adopt_criterion(operator: Operator) -> None:
+    """Set the criterion of the limits that an operator was told, where they are of one."""
+    kinds = {CRITERION_OF[name] for name in _told_limits(operator)}
+    if len(kinds) == 1 and not operator.properties.is_property_set("criterion"):
+        operator.criterion = kinds.pop().name
 
 
 def analysis_settings(context: Context, operator: Operator | None = None) -> AnalysisSettings:
@@ -57,7 +65,9 @@ def implied_criterion(told: set[str]) -> CriterionKind | None:
     InvalidSettingError
         If limits of several criteria are given.
     """
-    kinds = {LIMITS[name]: name.replace("_", " ") for name in sorted(told & LIMITS.keys())}
+    kinds = {
+        CRITERION_OF[name]: name.replace("_", " ") for name in sorted(told & CRITERION_OF.keys())
+    }
     if len(kinds) > 1:
         raise InvalidSettingError(
             f"{' and '.join(sorted(kinds.values()))} belong to different criteria: give one of them"
@@ -107,11 +117,14 @@ def point_settings(context: Context) -> SegmentationSettings:
 
 def _choose_criterion(context: Context, operator: Operator | None) -> CriterionKind:
     if operator is not None and not operator.properties.is_property_set("criterion"):
-        told = {name for name in LIMITS if getattr(operator, name) > 0.0}
-        implied = implied_criterion(told)
+        implied = implied_criterion(_told_limits(operator))
         if implied is not None:
             return implied
     return CriterionKind[str(_choose(context, operator, "criterion"))]
+
+
+def _told_limits(operator: Operator) -> set[str]:
+    return {name for name in CRITERION_OF if getattr(operator, name) > 0.0}
 
 
 def _choose(context: Context, operator: Operator | None, name: str) -> str | float:

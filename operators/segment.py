@@ -11,7 +11,12 @@ from bpy.types import Context, Event, Operator
 
 from ..addon import polls, tasks
 from ..addon.bridge.subject import selected_subjects
-from ..addon.choices import adopt_settings, analysis_settings, segmentation_settings
+from ..addon.choices import (
+    adopt_criterion,
+    adopt_settings,
+    analysis_settings,
+    segmentation_settings,
+)
 from ..addon.properties.items import CRITERION_FIELDS, CRITERION_ITEMS
 from ..addon.running import RunningOperator
 from ..addon.steps import Steps
@@ -107,6 +112,7 @@ class CURVATURE_OT_segment(RunningOperator, Operator):
 
     def invoke(self, context: Context, _event: Event) -> set[str]:
         """Start from the scene's settings."""
+        adopt_criterion(self)
         adopt_settings(self, context, _NAMES)
         return self.start(context)
 

@@ -10,14 +10,9 @@ from ..geometry.criterion import Criterion
 from ..geometry.segmentation import Segmentation
 from ..geometry.settings import CriterionKind, SegmentationSettings
 from ..geometry.tolerance import Tolerance
+from ..preset_text import LIMITS
 from . import units
 from .numbers import as_typed
-
-_LIMITS = {
-    CriterionKind.PANEL: ("panel_size", "deviation"),
-    CriterionKind.RADIUS: ("smallest_radius",),
-    CriterionKind.RAW: ("gaussian_limit", "mean_limit"),
-}
 
 
 def write_criterion(mesh: Mesh, segmentation: Segmentation) -> None:
@@ -47,7 +42,7 @@ def preset_of(scene: Scene, settings: SegmentationSettings) -> dict[str, str]:
     shown = scene.curvature
     is_of_scene = shown.criterion == settings.criterion.name and all(
         as_typed(getattr(shown, name)) == getattr(settings, name)
-        for name in _LIMITS[settings.criterion]
+        for name in LIMITS[settings.criterion.name]
     )
     return {
         name: getattr(shown, name) if is_of_scene else ""

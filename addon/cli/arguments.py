@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ..bridge.importing import ENDINGS
-from ..choices import LIMITS
+from ..choices import CRITERION_OF
 from ..geometry.display.colormap import ColorMap
 from ..geometry.settings import CriterionKind, Smoothing
 from ..properties.items import QUANTITY_ITEMS
@@ -194,13 +194,13 @@ def _check_endings(parser: argparse.ArgumentParser, options: argparse.Namespace)
 
 def _check_limits(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
     """Refuse limits of several criteria, and half of a pair; set the criterion that is left."""
-    given = [name for name in LIMITS if getattr(options, name)]
-    flags = {name: f"--{name.replace('_', '-')}" for name in LIMITS}
-    kinds = {LIMITS[name]: flags[name] for name in given}
+    given = [name for name in CRITERION_OF if getattr(options, name)]
+    flags = {name: f"--{name.replace('_', '-')}" for name in CRITERION_OF}
+    kinds = {CRITERION_OF[name]: flags[name] for name in given}
     if len(kinds) > 1:
         parser.error(f"{' and '.join(kinds.values())} are limits of different kinds: give one")
     options.criterion = next(iter(kinds), CriterionKind.PANEL)
-    pair = [name for name, kind in LIMITS.items() if kind is CriterionKind.RAW]
+    pair = [name for name, kind in CRITERION_OF.items() if kind is CriterionKind.RAW]
     if options.criterion is CriterionKind.RAW and set(pair) - set(given):
         parser.error(f"{' and '.join(flags[name] for name in pair)} need each other")
 

@@ -90,6 +90,12 @@ def test_a_limit_brings_its_criterion(told: dict[str, float], criterion: str) ->
     assert _block(obj)["criterion"] == criterion
 
 
+def test_a_limit_that_a_button_gives_brings_its_criterion() -> None:
+    obj = add_surface(dome)
+    bpy.ops.curvature.segment("INVOKE_DEFAULT", smallest_radius=3.0)
+    assert obj.data.curvature.criterion == "RADIUS"
+
+
 def test_limits_of_two_criteria_are_refused(run: Report) -> None:
     obj = add_surface(dome)
     result, words = run("segment", deviation=0.01, smallest_radius=3.0)
