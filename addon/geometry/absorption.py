@@ -9,15 +9,20 @@ from collections import defaultdict
 
 import numpy as np
 
-from .groups import sum_by_group
-from .regions import Regions, connect_regions, half_edge_lengths
+from .links import joined_links, smooth_links
+from .regions import Regions, connect_regions
 from .surface import Surface
-from .types import Indices
+from .types import Flags, Indices
 
 _Borders = list[dict[int, float]]
 
+#: Areas that differ by no more than this share are equal: sums carry rounding.
+_TIE = 1e-9
 
-def absorb_small_regions(surface: Surface, face_class: Indices, min_area: float) -> Indices:
+
+def absorb_small_regions(
+    surface: Surface, face_class: Indices, min_area: float, is_kept: Flags | None = None
+) -> Indices:
     """Give regions below a minimum area the class of the neighbor with the longest shared border.
 
     Regions that border on nothing but creases and rims stay, however small they are. The smallest
@@ -30,6 +35,8 @@ def absorb_small_regions(surface: Surface, face_class: Indices, min_area: float)
         Values of `SurfaceClass`.
     min_area : float
         In m²; 0 changes nothing.
+    is_kept : (m,) bool, optional
+        Polygons whose regions stay, however small they are.
 
     Returns
     -------
@@ -39,9 +46,14 @@ def absorb_small_regions(surface: Surface, face_class: Indices, min_area: float)
     if not min_area > 0.0:
         return face_class.copy()
     regions = connect_regions(surface, face_class)
-    if not (regions.area < min_area).any():
+    # An area of just the minimum must not depend on rounding.
+    is_small = regions.area < (1.0 - _TIE) * min_area
+    if is_kept is not None:
+        kept = regions.face_region[is_kept]
+        is_small[kept[kept >= 0]] = False
+    if not is_small.any():
         return face_class.copy()
-    final = _join(regions, _shared_borders(surface, regions), min_area)
+    final = _join(regions, _shared_borders(surface, regions), min_area, is_small)
     labels = face_class.copy()
     is_defined = regions.face_region >= 0
     labels[is_defined] = regions.region_class[final[regions.face_region[is_defined]]]
@@ -50,27 +62,24 @@ def absorb_small_regions(surface: Surface, face_class: Indices, min_area: float)
 
 def _shared_borders(surface: Surface, regions: Regions) -> _Borders:
     """Return the length in meters that each region shares with each of its neighbors."""
-    smooth = surface.edges.smooth
-    sides = regions.face_region[surface.mesh.corner_polygon[smooth]]
-    is_border = (sides[:, 0] != sides[:, 1]) & (sides >= 0).all(axis=1)
-    low, high = sides[is_border].min(axis=1), sides[is_border].max(axis=1)
-    keys, compact = np.unique(low * regions.count + high, return_inverse=True)
-    lengths = half_edge_lengths(surface)[smooth[is_border, 0]]
-    shared = sum_by_group(compact.reshape(-1), lengths, len(keys))
+    links, length = smooth_links(surface)
+    sides = regions.face_region[links]
+    known = (sides >= 0).all(axis=1)
+    pairs, shared = joined_links(sides[known], length[known], regions.count)
     borders: _Borders = [{} for _ in range(regions.count)]
-    for key, length in zip(keys.tolist(), shared.tolist(), strict=True):
-        one, other = divmod(key, regions.count)
-        borders[one][other] = borders[other][one] = length
+    for (one, other), border in zip(pairs.tolist(), shared.tolist(), strict=True):
+        borders[one][other] = borders[other][one] = border
     return borders
 
 
-def _join(regions: Regions, borders: _Borders, min_area: float) -> Indices:
+def _join(regions: Regions, borders: _Borders, min_area: float, is_small: Flags) -> Indices:
     """Return for every region the one that gives it its class in the end."""
     area = regions.area.tolist()
     kind = regions.region_class.tolist()
     leader = list(range(regions.count))
     # Regions are numbered by falling area: of two that are equally small the later goes first.
-    queue = [(area[number], -number) for number in range(regions.count) if area[number] < min_area]
+    queue = [(area[number], -number) for number in np.flatnonzero(is_small).tolist()]
+    may_go = is_small.tolist()
     heapq.heapify(queue)
     while queue:
         size, negative = heapq.heappop(queue)
@@ -82,8 +91,9 @@ def _join(regions: Regions, borders: _Borders, min_area: float) -> Indices:
         _merge(small, target, area, leader, borders)
         # The class of the target may also be that of other neighbors of what it took in.
         for other in [n for n in borders[target] if kind[n] == kind[target]]:
+            may_go[target] = may_go[target] and may_go[other]
             _merge(other, target, area, leader, borders)
-        if area[target] < min_area:
+        if may_go[target] and area[target] < (1.0 - _TIE) * min_area:
             heapq.heappush(queue, (area[target], -target))
     return np.array([_follow(leader, number) for number in range(regions.count)], dtype=np.int64)
 

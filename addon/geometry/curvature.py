@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,6 +14,9 @@ from .progress import part_of
 from .settings import Smoothing
 from .surface import Surface
 from .types import Flags, Floats, Progress
+
+if TYPE_CHECKING:
+    from .engine.estimate import Estimate
 
 #: Scales of smoothing as the engine takes them.
 _SCALES = {Smoothing.AUTO: "AUTO", Smoothing.NONE: "NONE"}
@@ -37,6 +41,8 @@ class Curvature:
         Unit normals of the fitted surface; zero where no face has area.
     uncertainty : (s,) float64
         Standard uncertainty of k1 and k2 in 1/m, as far as noise and misfit show it.
+    noise : (s,) float64
+        Standard deviation in meters, along the normals, of what was taken for noise.
     is_defined : (s,) bool
         Where the surface allows an estimate.
     is_smoothed : (s,) bool
@@ -55,6 +61,7 @@ class Curvature:
     direction_2: Floats
     normal: Floats
     uncertainty: Floats
+    noise: Floats
     is_defined: Flags
     is_smoothed: Flags
     is_doubtful: Flags
@@ -113,8 +120,6 @@ def estimate_curvature(
     # The engine loads scipy, which Blender's start must not pay for.
     from .engine import estimator
     from .engine.estimate import FALLBACK, SMOOTHED
-    from .engine.faces import polygon_curvature
-    from .engine.turning import facets_of_polygons
 
     mesh = surface.mesh
     estimate = estimator.estimate_curvature(
@@ -126,13 +131,7 @@ def estimate_curvature(
     )
     if on_progress:
         on_progress(0.9)
-    face_k1, face_k2 = polygon_curvature(
-        surface.sector_position,
-        (surface.corner_sector, mesh.polygon_start),
-        (surface.sector_triangles, mesh.triangle_polygon),
-        facets_of_polygons(surface.polygon_vector, surface.polygon_area),
-        estimate,
-    )
+    face_k1, face_k2 = _polygon_curvature(surface, estimate)
     is_flat_face = planar_polygons(surface)
     is_flat = sectors_of(surface, is_flat_face)
     for values in (
@@ -155,10 +154,66 @@ def estimate_curvature(
         direction_2=estimate.direction_2,
         normal=estimate.normals,
         uncertainty=estimate.error,
+        noise=estimate.noise,
         is_defined=is_defined,
         is_smoothed=(estimate.quality == SMOOTHED) & ~is_flat,
         is_doubtful=(estimate.quality == FALLBACK) & ~is_flat,
         face_k1=face_k1,
         face_k2=face_k2,
         is_face_defined=is_face_defined,
+    )
+
+
+def with_sector_values(surface: Surface, curvature: Curvature, k1: Floats, k2: Floats) -> Curvature:
+    """Return curvature with other values at some sectors, and what polygons make of them.
+
+    Parameters
+    ----------
+    surface : Surface
+    curvature : Curvature
+    k1, k2 : (s,) float64
+        In 1/m; polygons without a sector where they differ from the curvature's own keep theirs.
+
+    Returns
+    -------
+    Curvature
+    """
+    from .engine.estimate import TRUSTED, UNDEFINED, Estimate
+
+    changed = (k1 != curvature.k1) | (k2 != curvature.k2)
+    start = surface.mesh.polygon_start[:-1]
+    touched = np.logical_or.reduceat(changed[surface.corner_sector], start)
+    touched &= curvature.is_face_defined
+    if not touched.any():
+        return curvature
+    values = _polygon_curvature(
+        surface,
+        Estimate(
+            k1=k1,
+            k2=k2,
+            direction_1=curvature.direction_1,
+            direction_2=curvature.direction_2,
+            normals=curvature.normal,
+            quality=np.where(curvature.is_defined, TRUSTED, UNDEFINED),
+            error=curvature.uncertainty,
+            noise=curvature.noise,
+        ),
+    )
+    face_k1, face_k2 = (
+        np.where(touched, new, old)
+        for new, old in zip(values, (curvature.face_k1, curvature.face_k2), strict=True)
+    )
+    return replace(curvature, k1=k1, k2=k2, face_k1=face_k1, face_k2=face_k2)
+
+
+def _polygon_curvature(surface: Surface, estimate: Estimate) -> tuple[Floats, Floats]:
+    from .engine.faces import polygon_curvature
+    from .engine.turning import facets_of_polygons
+
+    return polygon_curvature(
+        surface.sector_position,
+        (surface.corner_sector, surface.mesh.polygon_start),
+        (surface.sector_triangles, surface.mesh.triangle_polygon),
+        facets_of_polygons(surface.polygon_vector, surface.polygon_area),
+        estimate,
     )

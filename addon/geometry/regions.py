@@ -10,6 +10,7 @@ import numpy as np
 
 from .classification import SurfaceClass
 from .groups import connected_groups, sum_by_group
+from .links import half_edge_lengths
 from .surface import Surface
 from .types import Flags, Floats, Indices
 
@@ -44,7 +45,9 @@ class Regions:
         return len(self.area)
 
 
-def connect_regions(surface: Surface, face_class: Indices) -> Regions:
+def connect_regions(
+    surface: Surface, face_class: Indices, face_part: Indices | None = None
+) -> Regions:
     """Join neighboring polygons of one class into regions.
 
     Parameters
@@ -52,6 +55,8 @@ def connect_regions(surface: Surface, face_class: Indices) -> Regions:
     surface : Surface
     face_class : (m,) int64
         Values of `SurfaceClass`.
+    face_part : (m,) int64, optional
+        Parts that no region reaches across; the whole surface is one if not given.
 
     Returns
     -------
@@ -60,6 +65,8 @@ def connect_regions(surface: Surface, face_class: Indices) -> Regions:
     """
     polygon = surface.mesh.corner_polygon[surface.edges.smooth]
     is_same = face_class[polygon[:, 0]] == face_class[polygon[:, 1]]
+    if face_part is not None:
+        is_same &= face_part[polygon[:, 0]] == face_part[polygon[:, 1]]
     label = connected_groups(polygon[is_same], len(face_class))
     is_defined = face_class != SurfaceClass.UNDEFINED
     names, compact = np.unique(label[is_defined], return_inverse=True)
@@ -85,12 +92,6 @@ def _rounded(values: Floats) -> Floats:
     """Return values without their last digits, so that summation order does not sort them."""
     scale = float(values.max(initial=0.0)) or 1.0
     return np.round(values / scale, 9)
-
-
-def half_edge_lengths(surface: Surface) -> Floats:
-    """Return the length of the edge that starts at every corner, (c,) float64 in meters."""
-    position = surface.mesh.vertices[surface.mesh.corner_vertex]
-    return np.linalg.norm(position[surface.mesh.next_corner] - position, axis=1)
 
 
 def _boundary_lengths(surface: Surface, face_region: Indices, count: int) -> Floats:

@@ -8,14 +8,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .absorption import absorb_small_regions
-from .classification import SurfaceClass, classify
+from .classification import SurfaceClass
+from .cleaning.classes import clean_classes
+from .criterion import Criterion, panel_criterion
 from .curvature import Curvature
+from .progress import part_of
 from .regions import Regions, connect_regions
 from .statistics import smallest_radius
 from .surface import Surface
 from .tolerance import Tolerance
-from .types import Floats, Indices
+from .types import Floats, Indices, Progress
+
+#: A region with this share of the whole area is a part of the model, however large a panel is.
+_LARGEST_SHARE = 0.005
 
 
 @dataclass(frozen=True)
@@ -38,8 +43,10 @@ class Segmentation:
 
     Parameters
     ----------
-    tolerance : Tolerance
-        Panel and deviation that the classes hold for.
+    criterion : Criterion
+        Limits that the classes hold for.
+    min_area : float
+        Area in m² below which regions have joined a neighbor.
     face_class : (m,) int64
         Values of `SurfaceClass`.
     regions : Regions
@@ -49,43 +56,79 @@ class Segmentation:
         Smallest radius per region in meters, None for flat ones.
     """
 
-    tolerance: Tolerance
+    criterion: Criterion
+    min_area: float
     face_class: Indices
     regions: Regions
     classes: dict[SurfaceClass, ClassMeasure]
     region_min_radius: tuple[float | None, ...]
 
+    @property
+    def tolerance(self) -> Tolerance:
+        """Panel and deviation that the classes hold for."""
+        return self.criterion.tolerance
+
 
 def segment(
-    surface: Surface, curvature: Curvature, tolerance: Tolerance, min_area: float = 0.0
+    surface: Surface,
+    curvature: Curvature,
+    criterion: Criterion | Tolerance,
+    min_area: float = 0.0,
+    locked: Indices | None = None,
+    cuts: Indices | None = None,
+    on_progress: Progress | None = None,
 ) -> Segmentation:
-    """Segment a surface at the tolerance of a panel.
+    """Segment a surface into regions of one class.
 
     Parameters
     ----------
     surface : Surface
     curvature : Curvature
         On the sectors of the surface.
-    tolerance : Tolerance
+    criterion : Criterion or Tolerance
+        A tolerance stands for the criterion of panel and deviation.
     min_area : float
-        Regions below this area in m² join the neighbor that they share the longest border with.
+        Regions below this area in m² join the neighbor that they share the longest border with;
+        0 takes `default_min_area`.
+    locked : (m,) int64, optional
+        Values of `SurfaceClass` given by hand, -1 where free; see `editing`.
+    cuts : (m,) int64, optional
+        Parts made by hand that no region reaches across; see `editing`.
+    on_progress : callable, optional
+        Receives the share of the work that is done; may raise to stop it.
 
     Returns
     -------
     Segmentation
     """
-    k1, k2 = curvature.face_k1, curvature.face_k2
-    labels = classify(k1, k2, tolerance.curvature_limit, curvature.is_face_defined)
-    face_class = absorb_small_regions(surface, labels, min_area)
-    regions = connect_regions(surface, face_class)
-    size = np.maximum(np.abs(k1), np.abs(k2))
+    if isinstance(criterion, Tolerance):
+        criterion = panel_criterion(criterion)
+    min_area = min_area or default_min_area(surface, criterion)
+    face_class, part = clean_classes(
+        surface, curvature, criterion, min_area, locked, part_of(on_progress, 0.0, 0.95)
+    )
+    if cuts is not None:
+        part = part * (int(cuts.max(initial=0)) + 1) + cuts
+    regions = connect_regions(surface, face_class, part)
+    size = np.maximum(np.abs(curvature.face_k1), np.abs(curvature.face_k2))
     return Segmentation(
-        tolerance=tolerance,
+        criterion=criterion,
+        min_area=min_area,
         face_class=face_class,
         regions=regions,
         classes=_measure_classes(surface, face_class, regions, size),
         region_min_radius=_region_radii(surface, regions, size),
     )
+
+
+def default_min_area(surface: Surface, criterion: Criterion) -> float:
+    """Return the least area of a region in m² where nobody asks for one.
+
+    One panel; but of a model that is small for its panels no more than a share, so that its parts
+    are still told.
+    """
+    panel = criterion.tolerance.panel_size**2
+    return min(panel, _LARGEST_SHARE * float(surface.polygon_area.sum()))
 
 
 def _measure_classes(

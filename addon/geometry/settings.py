@@ -19,6 +19,14 @@ class Smoothing(Enum):
     LENGTH = "Length"
 
 
+class CriterionKind(Enum):
+    """How the limits are given; the value is the name that users read."""
+
+    PANEL = "Panel and Deviation"
+    RADIUS = "Smallest Radius"
+    RAW = "Gaussian and Mean Curvature"
+
+
 @dataclass(frozen=True)
 class AnalysisSettings:
     """How curvature is measured.
@@ -64,20 +72,34 @@ class SegmentationSettings:
     Parameters
     ----------
     panel_size : float
-        Edge length of a panel in meters.
+        Edge length of a panel in meters. With every criterion it is the scale of what matters.
     deviation : float
-        Allowed distance between panel and surface in meters.
+        Allowed distance between panel and surface in meters; counts with PANEL only.
     min_area : float
-        Regions below this area in m² join a neighbor; 0 keeps all.
+        Regions below this area in m² join a neighbor; 0 takes a panel's, but see
+        `default_min_area`.
+    criterion : CriterionKind
+        Which of the limits count.
+    smallest_radius : float
+        Radius in meters beyond which a panel counts as straight; needed with RADIUS.
+    gaussian_limit, mean_limit : float
+        Limits of |K| in 1/m² and of |H| in 1/m; needed with RAW.
     """
 
     panel_size: float = 0.0
     deviation: float = 0.0
     min_area: float = 0.0
+    criterion: CriterionKind = CriterionKind.PANEL
+    smallest_radius: float = 0.0
+    gaussian_limit: float = 0.0
+    mean_limit: float = 0.0
 
     def __post_init__(self) -> None:
         """Refuse negative sizes."""
-        for name in ("panel_size", "deviation", "min_area"):
+        for name in (
+            *("panel_size", "deviation", "min_area"),
+            *("smallest_radius", "gaussian_limit", "mean_limit"),
+        ):
             value = getattr(self, name)
             if not (math.isfinite(value) and value >= 0.0):
                 raise InvalidSettingError(

@@ -1,0 +1,91 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From curvature and a criterion to classes that can be drawn and counted."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..absorption import absorb_small_regions
+from ..classification import SurfaceClass
+from ..criterion import Criterion
+from ..curvature import Curvature, with_sector_values
+from ..progress import part_of
+from ..surface import Surface
+from ..types import Floats, Indices, Progress
+from .developability import reject_bent_rulings
+from .labels import FaceCurvature, label_faces, seam_evidence
+from .necks import split_at_necks
+
+#: Share of the curvature's difference between the corners that a polygon's own is uncertain by.
+_SPREAD = 0.05
+
+
+def clean_classes(
+    surface: Surface,
+    curvature: Curvature,
+    criterion: Criterion,
+    min_area: float,
+    locked: Indices | None = None,
+    on_progress: Progress | None = None,
+) -> tuple[Indices, Indices]:
+    """Return the class of every polygon, and the part of the surface that it belongs to.
+
+    Parameters
+    ----------
+    surface : Surface
+    curvature : Curvature
+        On the sectors of the surface.
+    criterion : Criterion
+    min_area : float
+        Regions below this area in m² join a neighbor.
+    locked : (m,) int64, optional
+        Values of `SurfaceClass` given by hand, -1 where free.
+    on_progress : callable, optional
+        Receives the share of the work that is done; may raise to stop it.
+
+    Returns
+    -------
+    face_class : (m,) int64
+        Values of `SurfaceClass`.
+    part : (m,) int64
+        Regions do not reach across parts: they differ at the two sides of a narrow neck.
+    """
+    is_locked = None if locked is None else locked >= 0
+    k1, k2, evidence = seam_evidence(surface, curvature, criterion)
+    part_of(on_progress, 0.0, 1.0)(0.2)
+    sharp = with_sector_values(surface, curvature, k1, k2)
+    faces = face_estimate(surface, sharp)
+    labels = label_faces(
+        surface, faces, criterion, evidence, locked, part_of(on_progress, 0.3, 0.7)
+    )
+    labels = absorb_small_regions(surface, labels, min_area, is_locked)
+    part_of(on_progress, 0.0, 1.0)(0.8)
+    bent = reject_bent_rulings(
+        surface, sharp, labels, criterion.tolerance.panel_size, criterion.curvature_limit
+    )
+    if is_locked is not None:
+        bent &= ~is_locked
+    if bent.any():
+        double = np.where(faces.k1 * faces.k2 > 0.0, SurfaceClass.ELLIPTIC, SurfaceClass.HYPERBOLIC)
+        labels = np.where(bent, double, labels).astype(np.int64)
+    part_of(on_progress, 0.0, 1.0)(0.9)
+    return labels, split_at_necks(surface, labels, min_area)
+
+
+def face_estimate(surface: Surface, curvature: Curvature) -> FaceCurvature:
+    """Return the polygons' curvature with its uncertainty."""
+    sector, start = surface.corner_sector, surface.mesh.polygon_start[:-1]
+    error = np.add.reduceat(curvature.uncertainty[sector], start)
+    error /= np.diff(surface.mesh.polygon_start)
+    spread = np.maximum(_spread(curvature.k1[sector], start), _spread(curvature.k2[sector], start))
+    return FaceCurvature(
+        curvature.face_k1,
+        curvature.face_k2,
+        np.hypot(error, _SPREAD * spread),
+        curvature.is_face_defined,
+    )
+
+
+def _spread(values: Floats, start: Indices) -> Floats:
+    return np.maximum.reduceat(values, start) - np.minimum.reduceat(values, start)

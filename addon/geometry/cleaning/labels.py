@@ -1,0 +1,136 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Labels: the class of every polygon, as few and clean areas as the evidence allows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..classification import SurfaceClass
+from ..criterion import Criterion, classify_by
+from ..curvature import Curvature
+from ..links import sector_links, smooth_links
+from ..surface import Surface
+from ..types import Flags, Floats, Indices, Progress
+from .likelihood import class_costs
+from .potts import PottsProblem, minimize_potts
+from .seams import NO_MODEL, find_seams
+
+#: Length of border, in panels, that is worth as much as one unit of evidence on a panel's area.
+_STIFFNESS = 0.2
+
+#: The scale of decisions is a panel, but no less than this many edges: else nothing is smoothed.
+_LEAST_EDGES = 2.0
+
+#: What blurred curvature counts where positions are heard.
+_BLURRED = 2.0
+
+
+@dataclass(frozen=True)
+class FaceCurvature:
+    """Curvature of the polygons, with its uncertainty.
+
+    Parameters
+    ----------
+    k1, k2 : (m,) float64
+        In 1/m.
+    uncertainty : (m,) float64
+        Standard deviation of k1 and k2 in 1/m.
+    is_defined : (m,) bool
+    """
+
+    k1: Floats
+    k2: Floats
+    uncertainty: Floats
+    is_defined: Flags
+
+
+def label_faces(
+    surface: Surface,
+    faces: FaceCurvature,
+    criterion: Criterion,
+    evidence: tuple[Floats, Flags] | None = None,
+    fixed: Indices | None = None,
+    on_progress: Progress | None = None,
+) -> Indices:
+    """Return the class of every polygon: the labels of least energy.
+
+    The energy is the negative logarithm of the probability of the labels per panel area, plus a
+    price per length of border; borders along creases are free. What is certain keeps its class,
+    however narrow; what is uncertain joins its surroundings.
+
+    Parameters
+    ----------
+    surface : Surface
+    faces : FaceCurvature
+    criterion : Criterion
+        What is smaller than its panel, and doubtful, is not worth a border.
+    evidence : pair of (m, 4) float64 and (m,) bool, optional
+        Costs of the classes by position, and the polygons where it is heard.
+    fixed : (m,) int64, optional
+        Classes given by the user; -1 where free.
+    on_progress : callable, optional
+        Receives the share of the work that is done.
+
+    Returns
+    -------
+    (m,) int64
+        Values of `SurfaceClass`; undefined polygons stay undefined.
+    """
+    cost = class_costs(faces.k1, faces.k2, faces.uncertainty, criterion)
+    if evidence is not None:
+        # Near a seam curvature is blurred, and positions know better; it only breaks ties, and
+        # speaks for the classes that no position can speak for.
+        position_cost, is_heard = evidence
+        has_model = position_cost != NO_MODEL
+        heard = position_cost + np.where(has_model, np.minimum(cost, _BLURRED), cost)
+        unheard = cost + np.where(has_model, np.minimum(position_cost, NO_MODEL), 0.0)
+        cost = np.where(is_heard[:, None], heard, unheard)
+    links, length = smooth_links(surface)
+    known = faces.is_defined[links].all(axis=1)
+    links, length = links[known], length[known]
+    panel = max(criterion.tolerance.panel_size, _LEAST_EDGES * _typical_edge(length))
+    problem = PottsProblem(
+        cost=np.where(faces.is_defined[:, None], cost, 0.0) * surface.polygon_area[:, None],
+        links=links,
+        weight=_STIFFNESS * panel * length,
+    )
+    labels = minimize_potts(problem, fixed, on_progress)
+    return np.where(
+        faces.is_defined | (False if fixed is None else fixed >= 0),
+        labels,
+        SurfaceClass.UNDEFINED,
+    ).astype(np.int64)
+
+
+def seam_evidence(
+    surface: Surface, curvature: Curvature, criterion: Criterion
+) -> tuple[Floats, Floats, tuple[Floats, Flags]]:
+    """Return what positions near seams say about the polygons.
+
+    Returns
+    -------
+    k1, k2 : (s,) float64
+        Curvatures of the sectors that jump at seams.
+    evidence : pair of (m, 4) float64 and (m,) bool
+        Costs of the classes, and the polygons where positions tell something.
+    """
+    position = surface.sector_position
+    place_class = classify_by(curvature.k1, curvature.k2, criterion, curvature.is_defined)
+    seams = find_seams(
+        position, sector_links(surface), curvature, place_class, criterion.curvature_limit
+    )
+    sector, start = surface.corner_sector, surface.mesh.polygon_start[:-1]
+    # A polygon lies on a surface only if all its corners do; those on the seam lie on both.
+    cost = np.maximum.reduceat(
+        np.where(seams.is_doubtful[sector, None], seams.cost[sector], 0.0), start, axis=0
+    )
+    is_heard = np.logical_or.reduceat(seams.has_evidence[sector], start)
+    is_heard &= cost.min(axis=1) < NO_MODEL
+    return seams.k1, seams.k2, (cost, is_heard)
+
+
+def _typical_edge(length: Floats) -> float:
+    return float(np.median(length)) if len(length) else 0.0

@@ -1,0 +1,100 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Necks: regions that hang together by a few edges only are different regions.
+
+Where four regions meet in a point, a triangulation happens to join one opposite pair or the other
+by a single edge. A region count must not depend on that.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..groups import connected_groups, sum_by_group
+from ..links import joined_links, smooth_links
+from ..surface import Surface
+from ..types import Flags, Floats, Indices
+
+#: A neck this narrow, as a share of the mean width of the narrower part, joins nothing …
+_NECK = 0.35
+
+#: … and neither does one of this many edges, if the parts are wider.
+_NECK_EDGES = 2.5
+
+
+def split_at_necks(surface: Surface, face_class: Indices, min_area: float) -> Indices:
+    """Return connected parts of one class, cut where they are tied by a narrow neck.
+
+    Parameters
+    ----------
+    surface : Surface
+    face_class : (m,) int64
+    min_area : float
+        Parts below this area in m² are not cut off.
+
+    Returns
+    -------
+    (m,) int64
+        Part of every polygon.
+    """
+    links, length = smooth_links(surface)
+    same = face_class[links[:, 0]] == face_class[links[:, 1]]
+    inner, inner_length = links[same], length[same]
+    count = len(face_class)
+    whole = connected_groups(inner, count)
+    core = _inner_faces(surface, links[~same], face_class)
+    both = core[inner].all(axis=1)
+    part = connected_groups(inner[both], count)
+    part_area = sum_by_group(part, np.where(core, surface.polygon_area, 0.0), count)
+    is_large = part_area >= 0.25 * min_area
+    piece = np.where(core & is_large[part], part, -1)
+    piece = _grow(piece, part_area, inner)
+    # What no core has reached is one piece per connected area.
+    piece = np.where(piece >= 0, piece, count + whole)
+    names, piece = np.unique(piece, return_inverse=True)
+    piece = piece.reshape(-1)
+    area = sum_by_group(piece, surface.polygon_area, len(names))
+    pairs, neck = joined_links(piece[inner], inner_length, len(names))
+    outline = _outlines(piece, links, length, len(names))
+    width = 2.0 * area / np.maximum(outline, 1e-300)
+    narrow = np.minimum(width[pairs[:, 0]], width[pairs[:, 1]])
+    smaller = np.minimum(area[pairs[:, 0]], area[pairs[:, 1]])
+    edge = float(np.median(length)) if len(length) else 0.0
+    is_neck = (neck < _NECK * narrow) & (neck < _NECK_EDGES * edge) & (smaller >= min_area)
+    group = connected_groups(pairs[~is_neck], len(names))
+    return group[piece]
+
+
+def _inner_faces(surface: Surface, border: Indices, face_class: Indices) -> Flags:
+    """Return the polygons without a corner on a border between classes."""
+    sector = surface.corner_sector
+    low = np.full(surface.sector_count, 9, dtype=np.int64)
+    high = np.full(surface.sector_count, -9, dtype=np.int64)
+    label = face_class[surface.mesh.corner_polygon]
+    np.minimum.at(low, sector, label)
+    np.maximum.at(high, sector, label)
+    mixed = (low != high)[sector].astype(np.int64)
+    return np.add.reduceat(mixed, surface.mesh.polygon_start[:-1]) == 0
+
+
+def _grow(piece: Indices, part_area: Floats, links: Indices) -> Indices:
+    """Let pieces spread over neighbors without one; the largest comes first where they meet."""
+    size = np.append(part_area, -1.0)
+    own = np.concatenate([links[:, 0], links[:, 1]])
+    other = np.concatenate([links[:, 1], links[:, 0]])
+    while True:
+        open_ = (piece[own] < 0) & (piece[other] >= 0)
+        if not open_.any():
+            return piece
+        face, source = own[open_], piece[other[open_]]
+        order = np.argsort(size[source], kind="stable")
+        piece = piece.copy()
+        piece[face[order]] = source[order]
+
+
+def _outlines(piece: Indices, links: Indices, length: Floats, count: int) -> Floats:
+    outer = piece[links[:, 0]] != piece[links[:, 1]]
+    ends = piece[links[outer]]
+    return sum_by_group(ends[:, 0], length[outer], count) + sum_by_group(
+        ends[:, 1], length[outer], count
+    )

@@ -1,0 +1,198 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Minimum cuts: the labels that agree best with the data at the shortest borders between them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..types import Flags, Floats, Indices, Progress
+
+#: Capacities of scipy's maximum flow are 32-bit whole numbers; sums of a few must fit too.
+_LARGEST = 2**27
+
+#: Rounds over all labels; two suffice almost always, the energy falls no further then.
+_ROUNDS = 3
+
+
+@dataclass(frozen=True)
+class PottsProblem:
+    """Labels for items: a cost per item and label, and a cost per link between unlike labels.
+
+    Parameters
+    ----------
+    cost : (n, c) float64
+        Cost of giving each item each label; not negative.
+    links : (p, 2) int64
+        Neighboring items.
+    weight : (p,) float64
+        Cost of unlike labels at the two ends of a link; not negative.
+    """
+
+    cost: Floats
+    links: Indices
+    weight: Floats
+
+    def energy(self, labels: Indices) -> float:
+        """Return the cost of a labeling."""
+        differs = labels[self.links[:, 0]] != labels[self.links[:, 1]]
+        return float(self.cost[np.arange(len(labels)), labels].sum() + self.weight[differs].sum())
+
+
+def settled_items(problem: PottsProblem, labels: Indices) -> Flags:
+    """Return the items that keep their cheapest label whatever the others get.
+
+    Where another label costs more than all links of the item together, no neighbor can pay for it.
+    What is settled needs no part in a cut, which is most of a clean surface.
+
+    Parameters
+    ----------
+    problem : PottsProblem
+    labels : (n,) int64
+        The cheapest label of every item.
+
+    Returns
+    -------
+    (n,) bool
+    """
+    count = len(problem.cost)
+    ends, weights = problem.links.T.reshape(-1), np.tile(problem.weight, 2)
+    around = np.bincount(ends, weights, count)
+    others = problem.cost.copy()
+    others[np.arange(count), labels] = np.inf
+    own = problem.cost[np.arange(count), labels]
+    return others.min(axis=1) - own > around
+
+
+def minimize_potts(
+    problem: PottsProblem, fixed: Indices | None = None, on_progress: Progress | None = None
+) -> Indices:
+    """Return labels of low energy, by alpha expansion.
+
+    Each move is a minimum cut, and of several minimum cuts the one that changes fewest items, so
+    the result depends on the problem alone, not on the order of items.
+
+    Parameters
+    ----------
+    problem : PottsProblem
+    fixed : (n,) int64, optional
+        Labels that are given; -1 where free.
+    on_progress : callable, optional
+        Receives the share of the work that is done.
+
+    Returns
+    -------
+    (n,) int64
+        Least energy for two labels; for more within a factor of two (on 200 small random problems
+        98 % optimal, the worst 8 % above).
+
+    References
+    ----------
+    .. [1] Boykov, Veksler, Zabih (2001). Fast approximate energy minimization via graph cuts.
+           IEEE PAMI 23(11).
+    """
+    labels = np.argmin(problem.cost, axis=1).astype(np.int64)
+    is_free = np.ones(len(labels), dtype=np.bool_)
+    if fixed is not None:
+        labels = np.where(fixed >= 0, fixed, labels)
+        is_free = fixed < 0
+    is_free &= ~settled_items(problem, labels) | (
+        False if fixed is None else _near(problem, fixed >= 0)
+    )
+    label_count = problem.cost.shape[1]
+    steps, unchanged = 0, 0
+    while unchanged < label_count and steps < _ROUNDS * label_count:
+        expanded = _expand(problem, labels, steps % label_count, is_free)
+        unchanged = unchanged + 1 if np.array_equal(expanded, labels) else 0
+        labels = expanded
+        steps += 1
+        if on_progress:
+            on_progress(steps / (_ROUNDS * label_count))
+    return labels
+
+
+def _near(problem: PottsProblem, chosen: Flags) -> Flags:
+    """Return items linked to chosen ones; they may have to give way, however cheap their label."""
+    near = np.zeros(len(chosen), dtype=np.bool_)
+    near[problem.links[chosen[problem.links].any(axis=1)]] = True
+    return near & ~chosen
+
+
+def _expand(problem: PottsProblem, labels: Indices, label: int, is_free: Flags) -> Indices:
+    """Let free items change to one label where that lowers the energy."""
+    is_moving = is_free & (labels != label)
+    moving = np.flatnonzero(is_moving)
+    if not len(moving):
+        return labels
+    number = np.full(len(labels), -1, dtype=np.int64)
+    number[moving] = np.arange(len(moving))
+    keep = problem.cost[moving, labels[moving]]
+    change = problem.cost[moving, label]
+    touching = is_moving[problem.links].any(axis=1)
+    links, weight = problem.links[touching], problem.weight[touching]
+    one, other = links[:, 0], links[:, 1]
+    both = is_moving[links].all(axis=1)
+
+    # One end cannot move: the cost falls on the other end alone.
+    for own, neighbor in ((one, other), (other, one)):
+        alone = is_moving[own] & ~is_moving[neighbor]
+        item = number[own[alone]]
+        keep += np.bincount(
+            item, weight[alone] * (labels[own[alone]] != labels[neighbor[alone]]), len(moving)
+        )
+        change += np.bincount(item, weight[alone] * (labels[neighbor[alone]] != label), len(moving))
+
+    # Both ends may move: E(keep, keep) = w [unlike], E(keep, change) = E(change, keep) = w,
+    # E(change, change) = 0. As in Kolmogorov and Zabih (2004) the part that is not an arc from
+    # keep to change becomes a cost of single items.
+    a, b, w = number[one[both]], number[other[both]], weight[both]
+    unlike = labels[one[both]] != labels[other[both]]
+    # keeping a costs w [unlike]; changing a while b keeps costs the rest; the arc a -> b takes it.
+    keep += 0.5 * (
+        np.bincount(a, w * unlike, len(moving)) + np.bincount(b, w * unlike, len(moving))
+    )
+    arc = np.where(unlike, 0.5 * w, w)
+    moves = _changing_side(keep, change, a, b, arc)
+    result = labels.copy()
+    result[moving[moves]] = label
+    return result
+
+
+def _changing_side(keep: Floats, change: Floats, a: Indices, b: Indices, arc: Floats) -> Flags:
+    """Return which items change in the minimum cut that changes fewest.
+
+    An item on the source's side changes; it then pays `change`, one on the sink's side `keep`.
+    """
+    # scipy takes a noticeable part of a second to load, which Blender's start must not pay for.
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import breadth_first_order, maximum_flow
+
+    count = len(keep)
+    surplus = keep - change
+    around = np.bincount(a, arc, count) + np.bincount(b, arc, count)
+    # Who gains more than all its arcs cost changes in any case, lonely items among them.
+    is_certain = surplus > around
+    # Larger capacities than all arcs of an item together decide nothing more.
+    surplus = np.clip(surplus, -1.001 * around, 1.001 * around)
+    largest = float(max(arc.max(initial=0.0), np.abs(surplus).max(initial=0.0)))
+    if not largest > 0.0 or not (surplus > 0.0).any():
+        return is_certain
+    scale = _LARGEST / largest
+    source, sink = count, count + 1
+    gains, losses = np.flatnonzero(surplus > 0.0), np.flatnonzero(surplus < 0.0)
+    row = np.concatenate([a, b, np.full(len(gains), source), losses])
+    column = np.concatenate([b, a, gains, np.full(len(losses), sink)])
+    capacity = np.round(
+        scale * np.concatenate([arc, arc, surplus[gains], -surplus[losses]])
+    ).astype(np.int32)
+    graph = coo_array((capacity, (row, column)), shape=(count + 2, count + 2)).tocsr()
+    graph.indices, graph.indptr = graph.indices.astype(np.int32), graph.indptr.astype(np.int32)
+    residual = graph - maximum_flow(graph, source, sink).flow
+    residual.data = np.maximum(residual.data, 0)
+    residual.eliminate_zeros()
+    reached = breadth_first_order(residual, source, return_predecessors=False)
+    changes = np.zeros(count + 2, dtype=np.bool_)
+    changes[reached] = True
+    return changes[:count] | is_certain
