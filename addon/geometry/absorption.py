@@ -74,12 +74,14 @@ def _shared_borders(surface: Surface, regions: Regions) -> _Borders:
 
 def _join(regions: Regions, borders: _Borders, min_area: float, is_small: Flags) -> Indices:
     """Return for every region the one that gives it its class in the end."""
-    area = regions.area.tolist()
+    area: list[float] = regions.area.tolist()
     kind = regions.region_class.tolist()
     leader = list(range(regions.count))
     # Regions are numbered by falling area: of two that are equally small the later goes first.
-    queue = [(area[number], -number) for number in np.flatnonzero(is_small).tolist()]
-    may_go = is_small.tolist()
+    queue: list[tuple[float, int]] = [
+        (area[number], -number) for number in np.flatnonzero(is_small).tolist()
+    ]
+    may_go: list[bool] = is_small.tolist()
     heapq.heapify(queue)
     while queue:
         size, negative = heapq.heappop(queue)

@@ -18,36 +18,58 @@ def assign_class(locked: Indices, faces: Flags, surface_class: int) -> Indices:
         Classes given by hand, -1 where the segmentation is free.
     faces : (m,) bool
     surface_class : int
-        A `SurfaceClass`, or -1 to free the faces again.
+        A `SurfaceClass`; UNDEFINED frees the faces again.
 
     Returns
     -------
     (m,) int64
+        To be given to `segment`.
     """
     return np.where(faces, surface_class, locked).astype(np.int64)
 
 
 def merge_regions(
-    locked: Indices, face_region: Indices, regions: Indices, surface_class: int
-) -> Indices:
-    """Return locked classes with several regions given one class, so that neighbors join."""
-    return assign_class(locked, np.isin(face_region, regions), surface_class)
-
-
-def split_region(face_part: Indices, face_region: Indices, region: int, selected: Flags) -> Indices:
-    """Return parts with the selected faces of one region cut off from it.
+    locked: Indices, cuts: Indices, face_region: Indices, regions: Indices, surface_class: int
+) -> tuple[Indices, Indices]:
+    """Return locked classes and cuts with which several regions become one, where they touch.
 
     Parameters
     ----------
-    face_part : (m,) int64
+    locked, cuts : (m,) int64
+        As in `assign_class` and `split_region`.
+    face_region : (m,) int64
+        Region of every polygon, -1 without.
+    regions : (r,) int64
+        What is merged.
+    surface_class : int
+        The class of the whole.
+
+    Returns
+    -------
+    locked, cuts : (m,) int64
+        To be given to `segment`. What was cut off of the merged regions before is healed.
+    """
+    chosen = np.isin(face_region, regions)
+    healed = int(cuts[chosen].min(initial=np.iinfo(np.int64).max)) if chosen.any() else 0
+    return assign_class(locked, chosen, surface_class), np.where(chosen, healed, cuts)
+
+
+def split_region(cuts: Indices, face_region: Indices, region: int, selected: Flags) -> Indices:
+    """Return cuts that part the selected faces of a region from the rest of it.
+
+    Parameters
+    ----------
+    cuts : (m,) int64
         Parts that regions never reach across, 0 where nobody has cut.
     face_region : (m,) int64
     region : int
     selected : (m,) bool
+        Faces of other regions do not count.
 
     Returns
     -------
     (m,) int64
+        To be given to `segment`.
     """
-    cut = (face_region == region) & selected
-    return np.where(cut, int(face_part.max(initial=0)) + 1, face_part)
+    parted = (face_region == region) & selected
+    return np.where(parted, int(cuts.max(initial=0)) + 1, cuts)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Links between neighbors: polygons across smooth edges, sectors along edges, regions at borders."""
+"""Links between neighbors: polygons at smooth edges, sectors along edges, regions at borders."""
 
 from __future__ import annotations
 
@@ -55,3 +55,11 @@ def joined_links(pairs: Indices, length: Floats, count: int) -> tuple[Indices, F
         np.stack(np.divmod(keys, max(count, 1)), axis=1),
         sum_by_group(compact.reshape(-1), length[outer], len(keys)),
     )
+
+
+def typical_length(position: Floats, links: Indices) -> float:
+    """Return the median length of links between positions; 0 without links."""
+    if not len(links):
+        return 0.0
+    length: Floats = np.linalg.norm(position[links[:, 0]] - position[links[:, 1]], axis=1)
+    return float(np.median(length))

@@ -10,6 +10,7 @@ import numpy as np
 
 from .classification import SurfaceClass
 from .cleaning.classes import clean_classes
+from .cleaning.sizes import default_min_area
 from .criterion import Criterion, panel_criterion
 from .curvature import Curvature
 from .progress import part_of
@@ -18,9 +19,6 @@ from .statistics import smallest_radius
 from .surface import Surface
 from .tolerance import Tolerance
 from .types import Floats, Indices, Progress
-
-#: A region with this share of the whole area is a part of the model, however large a panel is.
-_LARGEST_SHARE = 0.005
 
 
 @dataclass(frozen=True)
@@ -89,7 +87,7 @@ def segment(
         A tolerance stands for the criterion of panel and deviation.
     min_area : float
         Regions below this area in m² join the neighbor that they share the longest border with;
-        0 takes `default_min_area`.
+        0 takes `default_min_area`, but keeps what is `worth_telling`.
     locked : (m,) int64, optional
         Values of `SurfaceClass` given by hand, -1 where free; see `editing`.
     cuts : (m,) int64, optional
@@ -103,7 +101,6 @@ def segment(
     """
     if isinstance(criterion, Tolerance):
         criterion = panel_criterion(criterion)
-    min_area = min_area or default_min_area(surface, criterion)
     face_class, part = clean_classes(
         surface, curvature, criterion, min_area, locked, part_of(on_progress, 0.0, 0.95)
     )
@@ -113,22 +110,12 @@ def segment(
     size = np.maximum(np.abs(curvature.face_k1), np.abs(curvature.face_k2))
     return Segmentation(
         criterion=criterion,
-        min_area=min_area,
+        min_area=min_area or default_min_area(surface, criterion),
         face_class=face_class,
         regions=regions,
         classes=_measure_classes(surface, face_class, regions, size),
         region_min_radius=_region_radii(surface, regions, size),
     )
-
-
-def default_min_area(surface: Surface, criterion: Criterion) -> float:
-    """Return the least area of a region in m² where nobody asks for one.
-
-    One panel; but of a model that is small for its panels no more than a share, so that its parts
-    are still told.
-    """
-    panel = criterion.tolerance.panel_size**2
-    return min(panel, _LARGEST_SHARE * float(surface.polygon_area.sum()))
 
 
 def _measure_classes(

@@ -109,7 +109,8 @@ def test_the_quads_of_the_pavilion_are_planar_panels() -> None:
 def test_faces_away_from_borders_have_the_exact_class(name: str) -> None:
     surface, points = _surface(name), _points(name)
     tolerance = resolve_tolerance(0.0, 0.0, surface.mesh.diagonal)
-    found = segment(surface, estimate_curvature(surface), tolerance).face_class
+    # Without a least area: parts of a wall that hold no panel would join their neighbors.
+    found = segment(surface, estimate_curvature(surface), tolerance, min_area=1e-6).face_class
     middle = surface.mesh.vertices[surface.mesh.corner_vertex].reshape(-1, 4, 3).mean(axis=1)
     _, nearest = cKDTree(points.position).query(middle)
     exact = points.classes(tolerance.curvature_limit)[nearest]

@@ -11,11 +11,13 @@ from ..classification import SurfaceClass
 from ..criterion import Criterion
 from ..curvature import Curvature, with_sector_values
 from ..progress import part_of
+from ..regions import connect_regions
 from ..surface import Surface
 from ..types import Floats, Indices, Progress
 from .developability import reject_bent_rulings
 from .labels import FaceCurvature, label_faces, seam_evidence
 from .necks import split_at_necks
+from .sizes import default_min_area, worth_telling
 
 #: Share of the curvature's difference between the corners that a polygon's own is uncertain by.
 _SPREAD = 0.05
@@ -38,7 +40,8 @@ def clean_classes(
         On the sectors of the surface.
     criterion : Criterion
     min_area : float
-        Regions below this area in m² join a neighbor.
+        Regions below this area in m² join a neighbor; 0 takes `default_min_area`, but keeps what
+        is `worth_telling`.
     locked : (m,) int64, optional
         Values of `SurfaceClass` given by hand, -1 where free.
     on_progress : callable, optional
@@ -59,7 +62,12 @@ def clean_classes(
     labels = label_faces(
         surface, faces, criterion, evidence, locked, part_of(on_progress, 0.3, 0.7)
     )
-    labels = absorb_small_regions(surface, labels, min_area, is_locked)
+    is_kept = np.zeros(len(labels), dtype=np.bool_) if is_locked is None else is_locked
+    if not min_area:
+        min_area = default_min_area(surface, criterion)
+        regions = connect_regions(surface, labels)
+        is_kept = is_kept | worth_telling(surface, faces, regions, criterion)
+    labels = absorb_small_regions(surface, labels, min_area, is_kept)
     part_of(on_progress, 0.0, 1.0)(0.8)
     bent = reject_bent_rulings(
         surface, sharp, labels, criterion.tolerance.panel_size, criterion.curvature_limit

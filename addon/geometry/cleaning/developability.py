@@ -17,6 +17,7 @@ import numpy as np
 from ..classification import SurfaceClass
 from ..curvature import Curvature
 from ..groups import connected_groups, sum_by_group
+from ..nearest import close_pairs
 from ..surface import Surface
 from ..types import Flags, Floats, Indices
 
@@ -52,8 +53,6 @@ def ruling_deviation(
         Root mean square over a panel around the polygon of the normal curvature along the panel's
         best ruling, in 1/m; zero for polygons of other classes.
     """
-    from scipy.spatial import cKDTree
-
     result = np.zeros(len(face_class))
     single = np.flatnonzero(face_class == SurfaceClass.SINGLE)
     if not len(single):
@@ -79,7 +78,7 @@ def ruling_deviation(
     second = _means(cell, square.reshape(-1, 9), area, count, cell_area)
     # Regions far apart in a fourth coordinate keep windows within their region.
     lifted = np.c_[middle, cell_region * (10.0 * panel_size)]
-    near = cKDTree(lifted).query_pairs(_WINDOW * panel_size, output_type="ndarray")
+    near = close_pairs(lifted, _WINDOW * panel_size)
     pairs = np.concatenate([near, near[:, ::-1], np.tile(np.arange(count)[:, None], 2)])
     total = sum_by_group(pairs[:, 0], cell_area[pairs[:, 1]], count)
     window_2 = _gather(pairs, second, cell_area, total)

@@ -56,7 +56,8 @@ def split_at_necks(surface: Surface, face_class: Indices, min_area: float) -> In
     area = sum_by_group(piece, surface.polygon_area, len(names))
     pairs, neck = joined_links(piece[inner], inner_length, len(names))
     outline = _outlines(piece, links, length, len(names))
-    width = 2.0 * area / np.maximum(outline, 1e-300)
+    width = np.full(len(names), np.inf)
+    np.divide(2.0 * area, outline, out=width, where=outline > 0.0)
     narrow = np.minimum(width[pairs[:, 0]], width[pairs[:, 1]])
     smaller = np.minimum(area[pairs[:, 0]], area[pairs[:, 1]])
     edge = float(np.median(length)) if len(length) else 0.0

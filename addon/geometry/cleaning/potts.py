@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..types import Flags, Floats, Indices, Progress
+from ..types import AnyArray, Flags, Floats, Graph, Indices, Progress
 
 #: Capacities of scipy's maximum flow are 32-bit whole numbers; sums of a few must fit too.
 _LARGEST = 2**27
@@ -165,10 +165,6 @@ def _changing_side(keep: Floats, change: Floats, a: Indices, b: Indices, arc: Fl
 
     An item on the source's side changes; it then pays `change`, one on the sink's side `keep`.
     """
-    # scipy takes a noticeable part of a second to load, which Blender's start must not pay for.
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import breadth_first_order, maximum_flow
-
     count = len(keep)
     surplus = keep - change
     around = np.bincount(a, arc, count) + np.bincount(b, arc, count)
@@ -187,12 +183,20 @@ def _changing_side(keep: Floats, change: Floats, a: Indices, b: Indices, arc: Fl
     capacity = np.round(
         scale * np.concatenate([arc, arc, surplus[gains], -surplus[losses]])
     ).astype(np.int32)
-    graph = coo_array((capacity, (row, column)), shape=(count + 2, count + 2)).tocsr()
+    changes = np.zeros(count + 2, dtype=np.bool_)
+    changes[_source_side(row, column, capacity, count)] = True
+    return changes[:count] | is_certain
+
+
+def _source_side(row: Indices, column: Indices, capacity: AnyArray, count: int) -> AnyArray:
+    """Return what the source `count` reaches beside a maximum flow to the sink `count + 1`."""
+    # scipy takes a noticeable part of a second to load, which Blender's start must not pay for.
+    from scipy.sparse import csr_matrix
+    from scipy.sparse.csgraph import breadth_first_order, maximum_flow
+
+    graph: Graph = csr_matrix((capacity, (row, column)), shape=(count + 2, count + 2))
     graph.indices, graph.indptr = graph.indices.astype(np.int32), graph.indptr.astype(np.int32)
-    residual = graph - maximum_flow(graph, source, sink).flow
+    residual: Graph = graph - maximum_flow(graph, count, count + 1).flow
     residual.data = np.maximum(residual.data, 0)
     residual.eliminate_zeros()
-    reached = breadth_first_order(residual, source, return_predecessors=False)
-    changes = np.zeros(count + 2, dtype=np.bool_)
-    changes[reached] = True
-    return changes[:count] | is_certain
+    return breadth_first_order(residual, count, return_predecessors=False)

@@ -16,6 +16,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..curvature import Curvature
+from ..links import typical_length
+from ..nearest import nearest
 from ..types import Flags, Floats, Indices
 
 #: A neighborhood is calm where curvature differs by less than this share of itself …
@@ -95,9 +97,6 @@ def find_seams(
     -------
     Seams
     """
-    # scipy takes a noticeable part of a second to load, which Blender's start must not pay for.
-    from scipy.spatial import cKDTree
-
     k1, k2 = curvature.k1.copy(), curvature.k2.copy()
     cost = np.full((len(k1), _CLASSES), NO_MODEL)
     evidence = np.zeros(len(k1), dtype=np.bool_)
@@ -110,14 +109,11 @@ def find_seams(
     doubtful = np.flatnonzero(is_doubtful)
     if not len(doubtful) or not is_calm.any():
         return seams
-    edge = float(np.median(np.linalg.norm(position[links[:, 0]] - position[links[:, 1]], axis=1)))
+    edge = typical_length(position, links)
     best = np.full(len(doubtful), np.inf)
     for surface_class in np.unique(place_class[is_calm & (place_class >= 0)]):
         calm = np.flatnonzero(is_calm & (place_class == surface_class))
-        distance, near = cKDTree(position[calm]).query(
-            position[doubtful], k=min(_ASKED, len(calm)), distance_upper_bound=_REACH * edge
-        )
-        distance, near = distance.reshape(len(doubtful), -1), near.reshape(len(doubtful), -1)
+        distance, near = nearest(position[calm], position[doubtful], _ASKED, _REACH * edge)
         fit = _continue(position, curvature, doubtful, calm, distance, near)
         cost[doubtful, surface_class] = np.where(
             fit.is_found, 0.5 * np.minimum(fit.misfit, _REFUTED) ** 2, NO_MODEL

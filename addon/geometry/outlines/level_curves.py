@@ -8,7 +8,8 @@ import numpy as np
 
 from ..curvature import Curvature
 from ..groups import connected_groups
-from ..links import sector_links
+from ..links import sector_links, typical_length
+from ..nearest import nearest
 from ..surface import Surface
 from ..types import Flags, Floats
 from .polylines import Polylines, chain_segments
@@ -98,8 +99,6 @@ def _between_extremes(
     """Keep the curves with clear domes on one side and clear saddles on the other."""
     if flatness <= 0.0 or not curves.count:
         return curves
-    from scipy.spatial import cKDTree
-
     # The parts that a curve separates: sectors joined by edges on one side of zero.
     links = sector_links(surface)
     same = (signed[links[:, 0]] >= 0.0) == (signed[links[:, 1]] >= 0.0)
@@ -111,8 +110,11 @@ def _between_extremes(
     clear = [np.flatnonzero(is_clear & side) for side in (signed >= 0.0, signed < 0.0)]
     if not all(len(side) for side in clear):
         return trace_level(surface, np.ones(surface.sector_count))
-    edge = np.median(np.linalg.norm(position[links[:, 0]] - position[links[:, 1]], axis=1))
-    near = [cKDTree(position[side]).query(curves.points)[0] < 2.0 * edge for side in clear]
+    edge = typical_length(position, links)
+    near = [
+        np.isfinite(nearest(position[side], curves.points, 1, 2.0 * edge)[0][:, 0])
+        for side in clear
+    ]
     share = np.add.reduceat((near[0] & near[1]).astype(np.float64), curves.start[:-1])
     keep = share > 0.5 * np.diff(curves.start)
     return select_curves(curves, keep)
