@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 
 from .groups import sum_by_group
@@ -70,13 +72,8 @@ def carry_names(
     list of str
         No name twice, if there was none twice before.
     """
-    match = match_regions(before, after, areas)
-    known = [names[old] if 0 <= old < len(names) else "" for old in match.tolist()]
-    used, number, result = set(names) | set(known), 1, list[str]()
-    for name in known:
-        fresh = name
-        while not name and (not fresh or fresh in used):
-            fresh, number = f"{prefix} {number}", number + 1
-        used.add(fresh)
-        result.append(fresh)
-    return result
+    match: list[int] = match_regions(before, after, areas).tolist()
+    known = [names[old] if 0 <= old < len(names) else "" for old in match]
+    used = {*names, *known}
+    free = (name for name in (f"{prefix} {i}" for i in itertools.count(1)) if name not in used)
+    return [name or next(free) for name in known]

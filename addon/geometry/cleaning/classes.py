@@ -78,7 +78,7 @@ def clean_classes(
         double = np.where(faces.k1 * faces.k2 > 0.0, SurfaceClass.ELLIPTIC, SurfaceClass.HYPERBOLIC)
         labels = np.where(bent, double, labels).astype(np.int64)
     part_of(on_progress, 0.0, 1.0)(0.9)
-    return labels, split_at_necks(surface, labels, min_area)
+    return labels, split_at_necks(surface, labels, min_area, is_locked)
 
 
 def face_estimate(surface: Surface, curvature: Curvature) -> FaceCurvature:

@@ -22,7 +22,9 @@ _NECK = 0.35
 _NECK_EDGES = 2.5
 
 
-def split_at_necks(surface: Surface, face_class: Indices, min_area: float) -> Indices:
+def split_at_necks(
+    surface: Surface, face_class: Indices, min_area: float, is_locked: Flags | None = None
+) -> Indices:
     """Return connected parts of one class, cut where they are tied by a narrow neck.
 
     Parameters
@@ -31,6 +33,8 @@ def split_at_necks(surface: Surface, face_class: Indices, min_area: float) -> In
     face_class : (m,) int64
     min_area : float
         Parts below this area in m² are not cut off.
+    is_locked : (m,) bool, optional
+        Polygons that stay together where they touch, however narrow the neck.
 
     Returns
     -------
@@ -62,8 +66,10 @@ def split_at_necks(surface: Surface, face_class: Indices, min_area: float) -> In
     smaller = np.minimum(area[pairs[:, 0]], area[pairs[:, 1]])
     edge = float(np.median(length)) if len(length) else 0.0
     is_neck = (neck < _NECK * narrow) & (neck < _NECK_EDGES * edge) & (smaller >= min_area)
-    group = connected_groups(pairs[~is_neck], len(names))
-    return group[piece]
+    tied = pairs[~is_neck]
+    if is_locked is not None:
+        tied = np.concatenate([tied, piece[inner[is_locked[inner].all(axis=1)]]])
+    return connected_groups(tied, len(names))[piece]
 
 
 def _inner_faces(surface: Surface, border: Indices, face_class: Indices) -> Flags:

@@ -55,7 +55,6 @@ def worth_telling(
     """
     width, neighbor = _width_and_neighbor(surface, regions)
     panel, limit = criterion.tolerance.panel_size, criterion.curvature_limit
-    is_told = width >= panel
     told_by = np.where(neighbor >= 0, regions.region_class[neighbor], SurfaceClass.UNDEFINED)
     big = np.maximum(np.abs(faces.k1), np.abs(faces.k2))
     small = np.minimum(np.abs(faces.k1), np.abs(faces.k2))
@@ -63,7 +62,8 @@ def worth_telling(
     for simpler, size in ((SurfaceClass.FLAT, big), (SurfaceClass.SINGLE, small)):
         chosen = (told_by == simpler) & (regions.region_class > simpler)
         too_much[chosen] = (_mean(surface, regions, size) - limit)[chosen]
-    is_told |= too_much * width > limit * panel
+    turns = too_much * np.minimum(width, panel) > limit * panel
+    is_told = turns | (width >= panel)
     return np.append(is_told, False)[regions.face_region]
 
 
