@@ -33,7 +33,6 @@ def given_curvature(
         direction_2=np.zeros((count, 3)),
         normal=np.zeros((count, 3)),
         uncertainty=none,
-        noise=none,
         is_defined=flags,
         is_smoothed=~flags & flags,
         is_doubtful=~flags & flags,

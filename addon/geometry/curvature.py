@@ -41,8 +41,6 @@ class Curvature:
         Unit normals of the fitted surface; zero where no face has area.
     uncertainty : (s,) float64
         Standard uncertainty of k1 and k2 in 1/m, as far as noise and misfit show it.
-    noise : (s,) float64
-        Standard deviation in meters, along the normals, of what was taken for noise.
     is_defined : (s,) bool
         Where the surface allows an estimate.
     is_smoothed : (s,) bool
@@ -53,6 +51,8 @@ class Curvature:
         Principal curvatures of the polygons in 1/m; zero where undefined.
     is_face_defined : (m,) bool
         False for polygons without area or without any defined corner.
+    noise : float
+        Standard deviation in meters by which most sectors leave a smooth surface.
     """
 
     k1: Floats
@@ -61,13 +61,13 @@ class Curvature:
     direction_2: Floats
     normal: Floats
     uncertainty: Floats
-    noise: Floats
     is_defined: Flags
     is_smoothed: Flags
     is_doubtful: Flags
     face_k1: Floats
     face_k2: Floats
     is_face_defined: Flags
+    noise: float = 0.0
 
     @property
     def gaussian(self) -> Floats:
@@ -154,13 +154,13 @@ def estimate_curvature(
         direction_2=estimate.direction_2,
         normal=estimate.normals,
         uncertainty=estimate.error,
-        noise=estimate.noise,
         is_defined=is_defined,
         is_smoothed=(estimate.quality == SMOOTHED) & ~is_flat,
         is_doubtful=(estimate.quality == FALLBACK) & ~is_flat,
         face_k1=face_k1,
         face_k2=face_k2,
         is_face_defined=is_face_defined,
+        noise=estimate.roughness,
     )
 
 
@@ -196,7 +196,7 @@ def with_sector_values(surface: Surface, curvature: Curvature, k1: Floats, k2: F
             normals=curvature.normal,
             quality=np.where(curvature.is_defined, TRUSTED, UNDEFINED),
             error=curvature.uncertainty,
-            noise=curvature.noise,
+            noise=np.zeros(len(k1)),
         ),
     )
     face_k1, face_k2 = (

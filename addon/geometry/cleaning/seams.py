@@ -87,7 +87,7 @@ def find_seams(
     links : (p, 2) int64
         Sectors that an edge joins.
     curvature : Curvature
-        At the sectors; with `normals`, `error` and `noise`.
+        At the sectors; with `noise`.
     place_class : (s,) int64
         Class of every sector by its own curvature: the calm places of each class are asked apart.
     limit : float
@@ -160,7 +160,7 @@ def _continue(
         curvature.k1[source],
         curvature.k2[source],
     )
-    noise = float(np.median(curvature.noise))
+    noise = curvature.noise
     # The mean forgets the noise of the calm places; the spread does not forget a gradual change of
     # curvature, whose effects on opposite sides cancel in the mean.
     spread = np.sqrt(np.maximum(mean(off * off) - 2.0 * noise**2, 0.0))

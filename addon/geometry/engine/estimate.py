@@ -41,6 +41,9 @@ class Estimate:
         Standard uncertainty of k1 and k2 in 1/m, as far as noise and misfit show it.
     noise : (s,) float64
         Standard deviation of the heights that was taken for noise (m).
+    roughness : float
+        Standard deviation of the heights (m) that narrow fits leave at most vertices: at seams,
+        where no fit is good, `noise` is misfit as well.
     """
 
     k1: AnyArray
@@ -51,6 +54,7 @@ class Estimate:
     quality: AnyArray
     error: AnyArray
     noise: AnyArray
+    roughness: float = 0.0
 
 
 def adopt(result: Estimate, choice: Choice, changed: AnyArray) -> None:

@@ -25,7 +25,7 @@ from .narrow import CALIBRATION, narrow_fit, pilot_fit, ring_mean
 from .neighborhoods import adjacency, edges_and_rim, without_hubs
 from .normals import TriangleGeometry, angle_sums, first_normals
 from .recipes import ordinary
-from .smoothing import Narrow, choose_scale, smooth_at
+from .smoothing import NARROW, Narrow, choose_scale, smooth_at
 
 #: Noise is worth smoothing where it would change the curvature by more than this share, and where
 #: this share of the vertices says so.
@@ -160,6 +160,7 @@ def estimate_curvature(
         else None
     )
     if pilot is not None and _is_hopeless(pilot, extent):
+        result.roughness = float(np.median(pilot.residual)) / NARROW
         blind = Narrow(
             np.full(count, np.inf), np.full(count, float(np.median(pilot.residual)) ** 2)
         )
@@ -172,6 +173,8 @@ def estimate_curvature(
         adopt(result, choice, changed)
     else:
         fitted = narrow(usable)
+        if usable.any():
+            result.roughness = float(np.median(result.noise[usable])) / NARROW
         reference = _reference(result, extent, usable)
         # near rims fits err more without any noise
         inner = usable & ~edge
