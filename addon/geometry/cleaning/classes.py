@@ -17,7 +17,11 @@ from ..types import Floats, Indices, Progress
 from .developability import reject_bent_rulings
 from .labels import FaceCurvature, label_faces, seam_evidence
 from .necks import split_at_necks
+from .sides import side_evidence
 from .sizes import default_min_area, worth_telling
+
+#: How often borders are looked at from their sides.
+_LOOKS = 2
 
 #: Share of the curvature's difference between the corners that a polygon's own is uncertain by.
 _SPREAD = 0.05
@@ -62,6 +66,11 @@ def clean_classes(
     labels = label_faces(
         surface, faces, criterion, evidence, locked, part_of(on_progress, 0.3, 0.7)
     )
+    for _ in range(_LOOKS):
+        sides = side_evidence(surface, curvature, labels, criterion.curvature_limit)
+        if not sides[1].any():
+            break
+        labels = label_faces(surface, faces, criterion, evidence, locked, sides=sides)
     is_kept = np.zeros(len(labels), dtype=np.bool_) if is_locked is None else is_locked
     if not min_area:
         min_area = default_min_area(surface, criterion)

@@ -54,6 +54,7 @@ def label_faces(
     evidence: tuple[Floats, Flags] | None = None,
     fixed: Indices | None = None,
     on_progress: Progress | None = None,
+    sides: tuple[Floats, Flags] | None = None,
 ) -> Indices:
     """Return the class of every polygon: the labels of least energy.
 
@@ -88,6 +89,10 @@ def label_faces(
         heard = position_cost + np.where(has_model, np.minimum(cost, _BLURRED), cost)
         unheard = cost + np.where(has_model, np.minimum(position_cost, NO_MODEL), 0.0)
         cost = np.where(is_heard[:, None], heard, unheard)
+    if sides is not None:
+        side_cost, is_told = sides
+        told = np.minimum(side_cost, 50.0) + np.minimum(cost, _BLURRED)
+        cost = np.where(is_told[:, None], told, cost)
     links, length = smooth_links(surface)
     known = faces.is_defined[links].all(axis=1)
     links, length = links[known], length[known]

@@ -1,0 +1,182 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sides: on which side of a border between classes the polygons beside it lie.
+
+Once labels are about right, the surface on each side of a border is known without what lies
+beyond: points two edges away from the border and farther are on one side for certain. Continued
+towards the border, the two surfaces part where curvature jumps, and every place in between is
+asked which of the two it lies on. Where curvature changes gradually the two agree, and what the
+curvature itself says stays.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..curvature import Curvature
+from ..engine.normals import tangent_frame
+from ..groups import connected_groups
+from ..links import sector_links
+from ..nearest import nearest
+from ..surface import Surface
+from ..types import Flags, Floats, Indices
+from .continuation import Continuation, continue_surface
+
+#: Edges on each side of a border where places are asked.
+RINGS = 1
+#: Points that a side is continued from, and how far the nearest may be, in edges.
+_POINTS = 48
+_REACH = 6.0
+#: Second derivatives of the two sides must differ by this many limits, and standard deviations.
+_JUMP, _SIGNIFICANT = 0.75, 4.0
+#: Heights of the two sides are told apart to this share of the larger.
+_RESOLUTION = 0.1
+#: A difference in cost that counts as evidence.
+_TOLD = 1.0
+
+_CLASSES = 4
+
+
+def side_evidence(
+    surface: Surface, curvature: Curvature, face_class: Indices, limit: float
+) -> tuple[Floats, Flags]:
+    """Return what the sides of borders say about the polygons beside them.
+
+    Parameters
+    ----------
+    surface : Surface
+    curvature : Curvature
+        On the sectors.
+    face_class : (m,) int64
+        Classes whose borders are about right.
+    limit : float
+        Curvature limit in 1/m: a jump well below it is none.
+
+    Returns
+    -------
+    cost : (m, 4) float64
+        Half the squared distance of a polygon's corners from the surface of each class beside it,
+        in standard deviations; meaningless where nothing is told.
+    is_told : (m,) bool
+    """
+    sector, start = surface.corner_sector, surface.mesh.polygon_start[:-1]
+    links = sector_links(surface)
+    place_class = _class_of_sectors(surface, face_class)
+    band = place_class < 0
+    for _ in range(RINGS):
+        band = _grown(links, band)
+    band &= curvature.is_defined
+    asked = np.flatnonzero(band)
+    cost = np.zeros((len(face_class), _CLASSES))
+    if not len(asked):
+        return cost, np.zeros(len(face_class), dtype=np.bool_)
+    off, deviation, jumps = _ask(surface, curvature, links, asked, place_class, band, limit)
+    has_model = np.isfinite(deviation).any(axis=1) & jumps
+    number = np.full(surface.sector_count, -1, dtype=np.int64)
+    number[asked] = np.arange(len(asked))
+    corner = number[sector]
+    counts = (corner >= 0) & has_model[corner]
+
+    # Beyond a seam the height grows with the square of the distance: the mean of roots tells on
+    # which side the polygon's center lies.
+    known = np.isfinite(deviation)
+    root = np.full(off.shape, np.inf)
+    root[known] = np.sqrt(np.maximum(off[known] - deviation[known], 0.0))
+    many = np.maximum(np.add.reduceat(counts.astype(np.float64), start), 1.0)[:, None]
+    far = (np.add.reduceat(np.where(counts[:, None], root[corner], 0.0), start) / many) ** 2
+    noise = np.maximum.reduceat(np.where(counts[:, None], deviation[corner], 0.0), start)
+    is_known = np.isfinite(noise) & np.isfinite(far)
+    worst = np.where(is_known, far, 0.0).max(axis=1, keepdims=True)
+    scale = np.hypot(np.where(is_known, noise, 1.0), _RESOLUTION * worst)
+    cost = 0.5 * (np.where(is_known, far, 0.0) / np.maximum(scale, 1e-300)) ** 2
+    cost = np.where(is_known, cost, np.inf)
+    ranked = np.sort(np.minimum(cost, 1e9), axis=1)
+    has_own = is_known[np.arange(len(cost)), face_class.clip(0)]
+    is_told = has_own & (is_known.sum(axis=1) > 1) & (ranked[:, 1] - ranked[:, 0] > _TOLD)
+    is_told &= np.logical_or.reduceat(counts, start) & (face_class >= 0)
+    return cost, is_told
+
+
+def _class_of_sectors(surface: Surface, face_class: Indices) -> Indices:
+    """Return the class of all polygons at a sector, -1 where they differ or have none."""
+    label = face_class[surface.mesh.corner_polygon]
+    order = np.argsort(surface.corner_sector, kind="stable")
+    sorted_label = label[order]
+    first = np.searchsorted(surface.corner_sector[order], np.arange(surface.sector_count))
+    low = np.minimum.reduceat(sorted_label, first)
+    high = np.maximum.reduceat(sorted_label, first)
+    return np.where(low == high, low, -1)
+
+
+def _grown(links: Indices, chosen: Flags) -> Flags:
+    result = chosen.copy()
+    result[links[chosen[links].any(axis=1)].reshape(-1)] = True
+    return result
+
+
+def _ask(
+    surface: Surface,
+    curvature: Curvature,
+    links: Indices,
+    asked: Indices,
+    place_class: Indices,
+    band: Flags,
+    limit: float,
+) -> tuple[Floats, Floats, Flags]:
+    """Return how far places lie off the surface of each class, its deviation, and who sees a jump.
+
+    Both are infinite for classes that are not near.
+    """
+    position = surface.sector_position
+    length = np.linalg.norm(position[links[:, 0]] - position[links[:, 1]], axis=1)
+    around = np.bincount(links.reshape(-1), minlength=surface.sector_count)
+    reach = np.bincount(links.reshape(-1), np.repeat(length, 2), surface.sector_count)
+    reach = _REACH * reach[asked] / np.maximum(around[asked], 1)
+    is_source = ~band & (place_class >= 0) & curvature.is_defined
+    alike = is_source[links].all(axis=1) & (place_class[links[:, 0]] == place_class[links[:, 1]])
+    piece = connected_groups(links[alike], surface.sector_count)
+    axis, _ = tangent_frame(curvature.normal[asked])
+    off = np.full((len(asked), _CLASSES), np.inf)
+    deviation = np.full((len(asked), _CLASSES), np.inf)
+    found: list[tuple[int, Continuation]] = []
+    for surface_class in np.unique(place_class[is_source]).tolist():
+        source = np.flatnonzero(is_source & (place_class == surface_class))
+        distance, near = nearest(position[source], position[asked], _POINTS, np.inf)
+        points = source[near]
+        is_used = piece[points] == piece[points[:, :1]]
+        is_used &= distance < 2.0 * reach[:, None]
+        arm = position[points] - position[asked][:, None]
+        facing = np.einsum("pj,pcj->pc", curvature.normal[asked], curvature.normal[points])
+        is_used &= (facing > 0.3) & (distance[:, :1] < reach[:, None])
+        normal = (curvature.normal[points] * is_used[:, :, None]).sum(axis=1)
+        normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
+        # Axes that turn along with the normal, so that second derivatives can be compared.
+        first = axis - np.einsum("pj,pj->p", axis, normal)[:, None] * normal
+        first /= np.maximum(np.linalg.norm(first, axis=1), 1e-300)[:, None]
+        frame = (first, np.cross(normal, first), normal)
+        none = np.zeros(len(asked))
+        fit = continue_surface(
+            tuple(np.einsum("pcj,pj->pc", arm, side) for side in frame),
+            (none, none, none),
+            is_used,
+            curvature.noise,
+        )
+        off[:, surface_class] = np.where(fit.is_sound, np.abs(fit.height), np.inf)
+        deviation[:, surface_class] = np.where(fit.is_sound, fit.deviation, np.inf)
+        found.append((surface_class, fit))
+    return off, deviation, _jumps(found, limit, len(asked))
+
+
+def _jumps(found: list[tuple[int, Continuation]], limit: float, count: int) -> Flags:
+    """Return the places where second derivatives of two sides differ."""
+    jumps = np.zeros(count, dtype=np.bool_)
+    for number, (_, one) in enumerate(found):
+        for _, other in found[:number]:
+            both = one.is_sound & other.is_sound
+            step = np.where(both[:, None], one.bend - other.bend, 0.0)
+            size = np.sqrt(step[:, 0] ** 2 + 2.0 * step[:, 1] ** 2 + step[:, 2] ** 2)
+            doubt = np.hypot(
+                np.where(both, one.bend_deviation, 0.0), np.where(both, other.bend_deviation, 0.0)
+            )
+            jumps |= both & (size > np.maximum(_JUMP * limit, _SIGNIFICANT * doubt))
+    return jumps
