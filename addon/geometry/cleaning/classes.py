@@ -13,7 +13,7 @@ from ..curvature import Curvature, with_sector_values
 from ..progress import part_of
 from ..regions import connect_regions
 from ..surface import Surface
-from ..types import Floats, Indices, Progress
+from ..types import Flags, Floats, Indices, Progress
 from .developability import reject_bent_rulings
 from .labels import FaceCurvature, label_faces, seam_evidence
 from .necks import split_at_necks
@@ -22,6 +22,9 @@ from .sizes import default_min_area, worth_telling
 
 #: How often borders are looked at from their sides.
 _LOOKS = 2
+
+#: A difference in cost that decides between two sides.
+_CLEAR = 1.0
 
 #: Share of the curvature's difference between the corners that a polygon's own is uncertain by.
 _SPREAD = 0.05
@@ -66,11 +69,14 @@ def clean_classes(
     labels = label_faces(
         surface, faces, criterion, evidence, locked, part_of(on_progress, 0.3, 0.7)
     )
+    told: tuple[Floats, Flags] | None = None
     for _ in range(_LOOKS):
-        sides = side_evidence(surface, curvature, labels, criterion.curvature_limit)
-        if not sides[1].any():
+        found = side_evidence(surface, curvature, labels, criterion.curvature_limit)
+        told = found if told is None else _clearest(found, told)
+        before = labels
+        labels = label_faces(surface, faces, criterion, evidence, locked, sides=told)
+        if np.array_equal(before, labels):
             break
-        labels = label_faces(surface, faces, criterion, evidence, locked, sides=sides)
     is_kept = np.zeros(len(labels), dtype=np.bool_) if is_locked is None else is_locked
     if not min_area:
         min_area = default_min_area(surface, criterion)
@@ -90,6 +96,14 @@ def clean_classes(
     return labels, split_at_necks(surface, labels, min_area, is_locked)
 
 
+def _clearest(found: tuple[Floats, Flags], before: tuple[Floats, Flags]) -> tuple[Floats, Flags]:
+    """Return what was found now, but where it is undecided what was found before."""
+    cost, is_told = found
+    ranked = np.sort(np.minimum(cost, 1e9), axis=1)
+    is_newer = is_told & ((ranked[:, 1] - ranked[:, 0] > _CLEAR) | ~before[1])
+    return np.where(is_newer[:, None], cost, before[0]), is_told | before[1]
+
+
 def face_estimate(surface: Surface, curvature: Curvature) -> FaceCurvature:
     """Return the polygons' curvature with its uncertainty."""
     sector, start = surface.corner_sector, surface.mesh.polygon_start[:-1]
@@ -101,6 +115,7 @@ def face_estimate(surface: Surface, curvature: Curvature) -> FaceCurvature:
         curvature.face_k2,
         np.hypot(error, _SPREAD * spread),
         curvature.is_face_defined,
+        np.logical_or.reduceat(curvature.is_smoothed[sector], start),
     )
 
 

@@ -36,6 +36,8 @@ class Continuation:
         Second derivatives xx, xy, yy in 1/m at the place.
     bend_deviation : (p,) float64
         Standard deviation of the second derivatives.
+    change : (p,) float64
+        How much the second derivatives change from the middle of the points to the place.
     is_sound : (p,) bool
         Whether the points allow the fit.
     """
@@ -44,6 +46,7 @@ class Continuation:
     deviation: Floats
     bend: Floats
     bend_deviation: Floats
+    change: Floats
     is_sound: Flags
 
 
@@ -100,6 +103,7 @@ def continue_surface(
         deviation=pick("deviation") * scale,
         bend=pick("bend") / scale[:, None],
         bend_deviation=pick("bend_deviation") / scale,
+        change=pick("change") / scale,
         is_sound=fits[0].is_sound | (is_cubic & fits[1].is_sound),
     )
 
@@ -127,13 +131,20 @@ def _fit(
     spread = np.where(is_sound, np.maximum(spread, noise), np.inf)
     variance = np.maximum(np.diagonal(inverse, axis1=1, axis2=2), 0.0)
     bend_variance = 4.0 * variance[:, 3] + 4.0 * variance[:, 5] + 2.0 * variance[:, 4]
+    bend = _bend(coefficient, wanted)
     return Continuation(
         height=np.einsum("ap,pa->p", wanted, coefficient) - c,
         deviation=spread * np.sqrt(1.0 + np.maximum(reach, 0.0)),
-        bend=_bend(coefficient, wanted),
+        bend=bend,
         bend_deviation=spread * np.sqrt(bend_variance),
+        change=size_of_bend(bend - coefficient[:, 3:6] * [2.0, 1.0, 2.0]),
         is_sound=is_sound,
     )
+
+
+def size_of_bend(bend: Floats) -> Floats:
+    """Return the Frobenius norm of second derivatives xx, xy, yy, (p,) float64."""
+    return np.sqrt(bend[:, 0] ** 2 + 2.0 * bend[:, 1] ** 2 + bend[:, 2] ** 2)
 
 
 def _bend(coefficient: Floats, wanted: Floats) -> Floats:

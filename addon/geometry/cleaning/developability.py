@@ -31,6 +31,9 @@ _WINDOW = 0.5
 #: crumpled. Sound regions stay below a quarter, seams and noise of 1 % of the edges included.
 _CRUMPLED = 0.3
 
+#: Polygons that smoothing reaches across a border.
+_BLUR = 6
+
 
 def ruling_deviation(
     surface: Surface, curvature: Curvature, face_class: Indices, panel_size: float
@@ -123,14 +126,22 @@ def reject_bent_rulings(
     """
     deviation = ruling_deviation(surface, curvature, face_class, panel_size)
     links = surface.mesh.corner_polygon[surface.edges.smooth]
-    region = connected_groups(
-        links[face_class[links[:, 0]] == face_class[links[:, 1]]], len(face_class)
-    )
-    area = surface.polygon_area
-    total = sum_by_group(region, area, len(face_class))
-    bent = sum_by_group(region, area * (deviation > curvature_limit), len(face_class))
-    is_crumpled = bent > _CRUMPLED * np.maximum(total, 1e-300)
-    return is_crumpled[region] & (deviation > curvature_limit)
+    same = face_class[links[:, 0]] == face_class[links[:, 1]]
+    region = connected_groups(links[same], len(face_class))
+    # Smoothing blurs what lies across a border into the region, as far as a patch reaches.
+    blurred = np.zeros(len(face_class), dtype=np.bool_)
+    blurred[links[~same].reshape(-1)] = True
+    for _ in range(_BLUR):
+        blurred[links[blurred[links].any(axis=1)].reshape(-1)] = True
+    start = surface.mesh.polygon_start[:-1]
+    is_smoothed = np.logical_or.reduceat(curvature.is_smoothed[surface.corner_sector], start)
+    area = surface.polygon_area * ~(blurred & is_smoothed)
+    is_bent = deviation > curvature_limit
+    total = sum_by_group(region, surface.polygon_area, len(face_class))
+    seen = sum_by_group(region, area, len(face_class))
+    bent = sum_by_group(region, area * is_bent, len(face_class))
+    is_crumpled = (bent > _CRUMPLED * seen) & (seen > _CRUMPLED * total)
+    return is_crumpled[region] & is_bent
 
 
 def _forms(surface: Surface, curvature: Curvature, faces: Indices) -> tuple[Floats, Floats]:

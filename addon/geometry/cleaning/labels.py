@@ -39,12 +39,15 @@ class FaceCurvature:
     uncertainty : (m,) float64
         Standard deviation of k1 and k2 in 1/m.
     is_defined : (m,) bool
+    is_smoothed : (m,) bool
+        Where noise was smoothed away, which blurs seams over many edges.
     """
 
     k1: Floats
     k2: Floats
     uncertainty: Floats
     is_defined: Flags
+    is_smoothed: Flags
 
 
 def label_faces(
@@ -91,7 +94,10 @@ def label_faces(
         cost = np.where(is_heard[:, None], heard, unheard)
     if sides is not None:
         side_cost, is_told = sides
-        told = np.minimum(side_cost, 50.0) + np.minimum(cost, _BLURRED)
+        told = (
+            np.minimum(side_cost, 50.0)
+            + np.minimum(cost, _BLURRED) * np.where(faces.is_smoothed, 0.1, 1.0)[:, None]
+        )
         cost = np.where(is_told[:, None], told, cost)
     links, length = smooth_links(surface)
     known = faces.is_defined[links].all(axis=1)

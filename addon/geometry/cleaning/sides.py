@@ -20,20 +20,21 @@ from ..links import sector_links
 from ..nearest import nearest
 from ..surface import Surface
 from ..types import Flags, Floats, Indices
-from .continuation import Continuation, continue_surface
+from .continuation import Continuation, continue_surface, size_of_bend
 
 #: Edges on each side of a border where places are asked.
 RINGS = 1
 #: Points that a side is continued from, and how far the nearest may be, in edges.
 _POINTS = 48
-_REACH = 6.0
+_REACH = 8.0
+#: Points that must lie within this share of the reach: two thirds of what half a disc holds.
+_WIDE, _LEAST = 0.75, 28
 #: Second derivatives of the two sides must differ by this many limits, and standard deviations.
 _JUMP, _SIGNIFICANT = 0.75, 4.0
+#: They must differ by more than they change on the way, and by this share of themselves.
+_GRADUAL = 0.35
 #: Heights of the two sides are told apart to this share of the larger.
 _RESOLUTION = 0.1
-#: A difference in cost that counts as evidence.
-_TOLD = 1.0
-
 _CLASSES = 4
 
 
@@ -71,12 +72,15 @@ def side_evidence(
     if not len(asked):
         return cost, np.zeros(len(face_class), dtype=np.bool_)
     off, deviation, jumps = _ask(surface, curvature, links, asked, place_class, band, limit)
-    has_model = np.isfinite(deviation).any(axis=1) & jumps
+    # Where a class beside a place cannot be continued, the others prove nothing against it.
+    is_blind = (_classes_around(surface, links, face_class)[asked] & ~np.isfinite(deviation)).any(
+        axis=1
+    )
     number = np.full(surface.sector_count, -1, dtype=np.int64)
     number[asked] = np.arange(len(asked))
     corner = number[sector]
-    counts = (corner >= 0) & has_model[corner]
-
+    counts = (corner >= 0) & jumps[corner]
+    blind = np.logical_or.reduceat((corner >= 0) & is_blind[corner], start)
     # Beyond a seam the height grows with the square of the distance: the mean of roots tells on
     # which side the polygon's center lies.
     known = np.isfinite(deviation)
@@ -90,11 +94,25 @@ def side_evidence(
     scale = np.hypot(np.where(is_known, noise, 1.0), _RESOLUTION * worst)
     cost = 0.5 * (np.where(is_known, far, 0.0) / np.maximum(scale, 1e-300)) ** 2
     cost = np.where(is_known, cost, np.inf)
-    ranked = np.sort(np.minimum(cost, 1e9), axis=1)
-    has_own = is_known[np.arange(len(cost)), face_class.clip(0)]
-    is_told = has_own & (is_known.sum(axis=1) > 1) & (ranked[:, 1] - ranked[:, 0] > _TOLD)
-    is_told &= np.logical_or.reduceat(counts, start) & (face_class >= 0)
+    is_told = is_known[np.arange(len(cost)), face_class.clip(0)] & (is_known.sum(axis=1) > 1)
+    is_told &= np.logical_or.reduceat(counts, start) & (face_class >= 0) & ~blind
     return cost, is_told
+
+
+def _classes_around(surface: Surface, links: Indices, face_class: Indices) -> Flags:
+    """Return which classes polygons near a sector have, (s, 4) bool."""
+    around = np.zeros((surface.sector_count, _CLASSES), dtype=np.bool_)
+    label = face_class[surface.mesh.corner_polygon]
+    is_known = label >= 0
+    around[surface.corner_sector[is_known], label[is_known]] = True
+    for _ in range(RINGS):
+        spread = around.copy()
+        for one, other in ((0, 1), (1, 0)):
+            for surface_class in range(_CLASSES):
+                has = around[links[:, one], surface_class]
+                spread[links[has, other], surface_class] = True
+        around = spread
+    return around
 
 
 def _class_of_sectors(surface: Surface, face_class: Indices) -> Indices:
@@ -144,10 +162,12 @@ def _ask(
         distance, near = nearest(position[source], position[asked], _POINTS, np.inf)
         points = source[near]
         is_used = piece[points] == piece[points[:, :1]]
-        is_used &= distance < 2.0 * reach[:, None]
+        is_used &= distance < reach[:, None]
         arm = position[points] - position[asked][:, None]
+        # A strip of two rows would tell nothing about what lies across it.
+        is_wide = (distance < _WIDE * reach[:, None]).sum(axis=1) >= _LEAST
         facing = np.einsum("pj,pcj->pc", curvature.normal[asked], curvature.normal[points])
-        is_used &= (facing > 0.3) & (distance[:, :1] < reach[:, None])
+        is_used &= (facing > 0.3) & (distance[:, :1] < 0.5 * reach[:, None]) & is_wide[:, None]
         normal = (curvature.normal[points] * is_used[:, :, None]).sum(axis=1)
         normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
         # Axes that turn along with the normal, so that second derivatives can be compared.
@@ -173,10 +193,9 @@ def _jumps(found: list[tuple[int, Continuation]], limit: float, count: int) -> F
     for number, (_, one) in enumerate(found):
         for _, other in found[:number]:
             both = one.is_sound & other.is_sound
-            step = np.where(both[:, None], one.bend - other.bend, 0.0)
-            size = np.sqrt(step[:, 0] ** 2 + 2.0 * step[:, 1] ** 2 + step[:, 2] ** 2)
-            doubt = np.hypot(
-                np.where(both, one.bend_deviation, 0.0), np.where(both, other.bend_deviation, 0.0)
-            )
-            jumps |= both & (size > np.maximum(_JUMP * limit, _SIGNIFICANT * doubt))
+            size = size_of_bend(one.bend - other.bend)
+            doubt = _SIGNIFICANT * np.hypot(one.bend_deviation, other.bend_deviation)
+            gradual = one.change + other.change
+            gradual += _GRADUAL * np.maximum(size_of_bend(one.bend), size_of_bend(other.bend))
+            jumps |= both & (size > np.maximum(_JUMP * limit, np.maximum(doubt, gradual)))
     return jumps
