@@ -21,7 +21,11 @@ def chart(
     step_u, step_v = 1.0 / (rows - 1), 1.0 / (columns if wraps else columns - 1)
     u, v = (
         a.ravel()
-        for a in np.meshgrid(np.arange(rows) * step_u, np.arange(columns) * step_v, indexing="ij")
+        for a in np.meshgrid(
+            np.arange(rows, dtype=np.float64) * step_u,
+            np.arange(columns, dtype=np.float64) * step_v,
+            indexing="ij",
+        )
     )
     if recipe.kind == "quads":
         return u, v, quads(rows, columns, wraps=(False, wraps))

@@ -73,9 +73,9 @@ def side_evidence(
         return cost, np.zeros(len(face_class), dtype=np.bool_)
     off, deviation, jumps = _ask(surface, curvature, links, asked, place_class, band, limit)
     # Where a class beside a place cannot be continued, the others prove nothing against it.
-    is_blind = (_classes_around(surface, links, face_class)[asked] & ~np.isfinite(deviation)).any(
-        axis=1
-    )
+    is_blind: Flags = (
+        _classes_around(surface, links, face_class)[asked] & ~np.isfinite(deviation)
+    ).any(axis=1)
     number = np.full(surface.sector_count, -1, dtype=np.int64)
     number[asked] = np.arange(len(asked))
     corner = number[sector]
