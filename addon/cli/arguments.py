@@ -128,7 +128,7 @@ def _add_settings(parser: argparse.ArgumentParser) -> None:
         type=_not_negative,
         default=0.0,
         metavar="M2",
-        help="regions below this area in m² join a neighbor (default: 0, none do)",
+        help="regions below this area in m² join a neighbor (default: 0, a panel)",
     )
     parser.add_argument(
         "--smoothing",

@@ -105,7 +105,7 @@ class CURVATURE_PG_settings(PropertyGroup):
     )
     min_area: FloatProperty(
         name="Minimum Area (m²)",
-        description="Regions below this area in m² join a neighbor; 0 keeps all regions",
+        description="Regions below this area in m² join a neighbor; 0 takes the area of a panel",
         default=0.0,
         min=0.0,
     )
@@ -127,7 +127,7 @@ class CURVATURE_PG_settings(PropertyGroup):
     )
     min_area_shown: FloatProperty(
         name="Minimum Area",
-        description="Regions below this area join a neighbor; 0 keeps all regions",
+        description="Regions below this area join a neighbor; 0 takes the area of a panel",
         unit="AREA",
         min=0.0,
         **_in_scene_units("min_area", 2),

@@ -127,7 +127,7 @@ def test_the_order_of_faces_and_vertices_does_not_matter(name: str) -> None:
 
 
 def test_the_same_input_gives_the_same_result() -> None:
-    shape, surface, result = _segmented("silo", Recipe(kind="triangles"))
+    _, surface, result = _segmented("silo", Recipe(kind="triangles"))
     again = segment(surface, estimate_curvature(surface), result.criterion)
     assert (again.face_class == result.face_class).all()
     assert (again.regions.face_region == result.regions.face_region).all()
