@@ -19,8 +19,12 @@ def half_edge_lengths(surface: Surface) -> Floats:
 
 def smooth_links(surface: Surface) -> tuple[Indices, Floats]:
     """Return the pairs of polygons that smooth edges join, (q, 2), and the edges' lengths in m."""
-    smooth = surface.edges.smooth
-    return surface.mesh.corner_polygon[smooth], half_edge_lengths(surface)[smooth[:, 0]]
+    mesh, smooth = surface.mesh, surface.edges.smooth
+    first = smooth[:, 0]
+    ends = np.stack(
+        [mesh.corner_vertex[first], mesh.corner_vertex[mesh.next_corner[first]]], axis=1
+    )
+    return mesh.corner_polygon[smooth], link_lengths(mesh.vertices, ends)
 
 
 def sector_links(surface: Surface) -> Indices:
@@ -57,9 +61,15 @@ def joined_links(pairs: Indices, length: Floats, count: int) -> tuple[Indices, F
     )
 
 
+def link_lengths(position: Floats, links: Indices) -> Floats:
+    """Return the distance between the ends of links, (p,) float64."""
+    square = np.zeros(len(links))
+    for axis in range(3):
+        values = np.ascontiguousarray(position[:, axis])
+        square += (values[links[:, 0]] - values[links[:, 1]]) ** 2
+    return np.sqrt(square)
+
+
 def typical_length(position: Floats, links: Indices) -> float:
     """Return the median length of links between positions; 0 without links."""
-    if not len(links):
-        return 0.0
-    length: Floats = np.linalg.norm(position[links[:, 0]] - position[links[:, 1]], axis=1)
-    return float(np.median(length))
+    return float(np.median(link_lengths(position, links))) if len(links) else 0.0

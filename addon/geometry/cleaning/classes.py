@@ -63,37 +63,52 @@ def clean_classes(
     """
     is_locked = None if locked is None else locked >= 0
     k1, k2, evidence = seam_evidence(surface, curvature, criterion)
-    part_of(on_progress, 0.0, 1.0)(0.2)
     sharp = with_sector_values(surface, curvature, k1, k2)
     faces = face_estimate(surface, sharp)
+    part_of(on_progress, 0.0, 0.2)(1.0)
     labels = label_faces(
-        surface, faces, criterion, evidence, locked, part_of(on_progress, 0.3, 0.7)
+        surface, faces, criterion, evidence, locked, part_of(on_progress, 0.2, 0.4)
     )
-    told: tuple[Floats, Flags] | None = None
-    for _ in range(_LOOKS):
-        found = side_evidence(surface, curvature, labels, criterion.curvature_limit)
-        told = found if told is None else _clearest(found, told)
-        before = labels
-        labels = label_faces(surface, faces, criterion, evidence, locked, sides=told)
-        if np.array_equal(before, labels):
-            break
+    labels = _look_at_borders(
+        surface, curvature, labels, (faces, criterion, evidence, locked), on_progress
+    )
     is_kept = np.zeros(len(labels), dtype=np.bool_) if is_locked is None else is_locked
     if not min_area:
         min_area = default_min_area(surface, criterion)
         regions = connect_regions(surface, labels)
         is_kept = is_kept | worth_telling(surface, faces, regions, criterion)
     labels = absorb_small_regions(surface, labels, min_area, is_kept)
-    part_of(on_progress, 0.0, 1.0)(0.8)
+    part_of(on_progress, 0.8, 0.9)(0.5)
     bent = reject_bent_rulings(
         surface, sharp, labels, criterion.tolerance.panel_size, criterion.curvature_limit
     )
-    if is_locked is not None:
-        bent &= ~is_locked
-    if bent.any():
-        double = np.where(faces.k1 * faces.k2 > 0.0, SurfaceClass.ELLIPTIC, SurfaceClass.HYPERBOLIC)
-        labels = np.where(bent, double, labels).astype(np.int64)
-    part_of(on_progress, 0.0, 1.0)(0.9)
+    bent &= True if is_locked is None else ~is_locked
+    double = np.where(faces.k1 * faces.k2 > 0.0, SurfaceClass.ELLIPTIC, SurfaceClass.HYPERBOLIC)
+    labels = np.where(bent, double, labels).astype(np.int64)
+    part_of(on_progress, 0.9, 1.0)(0.5)
     return labels, split_at_necks(surface, labels, min_area, is_locked)
+
+
+def _look_at_borders(
+    surface: Surface,
+    curvature: Curvature,
+    labels: Indices,
+    how: tuple[FaceCurvature, Criterion, tuple[Floats, Flags], Indices | None],
+    on_progress: Progress | None,
+) -> Indices:
+    """Move borders to where the surfaces on their two sides, continued, part."""
+    faces, criterion, evidence, locked = how
+    sides: tuple[Floats, Flags] | None = None
+    for look in range(_LOOKS):
+        start, end = (0.4 + 0.4 * step / _LOOKS for step in (look, look + 1))
+        found = side_evidence(surface, curvature, labels, criterion.curvature_limit)
+        part_of(on_progress, start, end)(0.6)
+        sides = found if sides is None else _clearest(found, sides)
+        before, advance = labels, part_of(on_progress, 0.4 * start + 0.6 * end, end)
+        labels = label_faces(surface, faces, criterion, evidence, locked, advance, sides)
+        if np.array_equal(before, labels):
+            break
+    return labels
 
 
 def _clearest(found: tuple[Floats, Flags], before: tuple[Floats, Flags]) -> tuple[Floats, Flags]:

@@ -163,7 +163,7 @@ def _solved(normal: Floats, weighted: Floats, z: Floats) -> tuple[Floats, Floats
     """Return the coefficients of least squares and the inverse of their normal equations."""
     size = normal.shape[1]
     ridge = _RIDGE * np.trace(normal, axis1=1, axis2=2) + 1e-12
-    inverse = np.linalg.inv(normal + ridge[:, None, None] * np.eye(size))
+    inverse: Floats = np.linalg.inv(normal + ridge[:, None, None] * np.eye(size))
     right = np.einsum("apc,pc->pa", weighted, z)
     return np.einsum("pab,pb->pa", inverse, right), inverse
 

@@ -11,12 +11,14 @@ curvature itself says stays.
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 
 from ..curvature import Curvature
 from ..engine.normals import tangent_frame
 from ..groups import connected_groups
-from ..links import sector_links
+from ..links import link_lengths, sector_links
 from ..nearest import nearest
 from ..surface import Surface
 from ..types import Flags, Floats, Indices
@@ -24,9 +26,13 @@ from .continuation import Continuation, continue_surface, size_of_bend
 
 #: Edges on each side of a border where places are asked.
 RINGS = 1
-#: Points that a side is continued from, and how far the nearest may be, in edges.
+#: Points that a side is continued from, how far they may be, in edges, and the nearest of them as a
+#: share of that.
 _POINTS = 48
 _REACH = 8.0
+_NEAREST = 0.5
+#: Cosine between normals beyond which a point belongs to another sheet.
+_FACING = 0.3
 #: Points that must lie within this share of the reach: two thirds of what half a disc holds.
 _WIDE, _LEAST = 0.75, 28
 #: Second derivatives of the two sides must differ by this many limits, and standard deviations.
@@ -71,11 +77,12 @@ def side_evidence(
     cost = np.zeros((len(face_class), _CLASSES))
     if not len(asked):
         return cost, np.zeros(len(face_class), dtype=np.bool_)
-    off, deviation, jumps = _ask(surface, curvature, links, asked, place_class, band, limit)
-    # Where a class beside a place cannot be continued, the others prove nothing against it.
-    is_blind = (_classes_around(surface, links, face_class)[asked] & ~np.isfinite(deviation)).any(
-        axis=1
+    around = _classes_around(surface, links, face_class)
+    off, deviation, jumps = _ask(
+        surface, curvature, links, asked, place_class, (band, around), limit
     )
+    # Where a class beside a place cannot be continued, the others prove nothing against it.
+    is_blind: Flags = (around[asked] & ~np.isfinite(deviation)).any(axis=1)
     number = np.full(surface.sector_count, -1, dtype=np.int64)
     number[asked] = np.arange(len(asked))
     corner = number[sector]
@@ -138,64 +145,75 @@ def _ask(
     links: Indices,
     asked: Indices,
     place_class: Indices,
-    band: Flags,
+    where: tuple[Flags, Flags],
     limit: float,
 ) -> tuple[Floats, Floats, Flags]:
     """Return how far places lie off the surface of each class, its deviation, and who sees a jump.
 
     Both are infinite for classes that are not near.
     """
-    position = surface.sector_position
-    length = np.linalg.norm(position[links[:, 0]] - position[links[:, 1]], axis=1)
-    around = np.bincount(links.reshape(-1), minlength=surface.sector_count)
+    band, around = where
+    length = link_lengths(surface.sector_position, links)
+    many = np.bincount(links.reshape(-1), minlength=surface.sector_count)
     reach = np.bincount(links.reshape(-1), np.repeat(length, 2), surface.sector_count)
-    reach = _REACH * reach[asked] / np.maximum(around[asked], 1)
+    reach = _REACH * reach / np.maximum(many, 1)
     is_source = ~band & (place_class >= 0) & curvature.is_defined
     alike = is_source[links].all(axis=1) & (place_class[links[:, 0]] == place_class[links[:, 1]])
     piece = connected_groups(links[alike], surface.sector_count)
-    axis, _ = tangent_frame(curvature.normal[asked])
     off = np.full((len(asked), _CLASSES), np.inf)
     deviation = np.full((len(asked), _CLASSES), np.inf)
-    found: list[tuple[int, Continuation]] = []
+    bends: dict[int, Floats] = {}
     for surface_class in np.unique(place_class[is_source]).tolist():
         source = np.flatnonzero(is_source & (place_class == surface_class))
-        distance, near = nearest(position[source], position[asked], _POINTS, np.inf)
-        points = source[near]
-        is_used = piece[points] == piece[points[:, :1]]
-        is_used &= distance < reach[:, None]
-        arm = position[points] - position[asked][:, None]
-        # A strip of two rows would tell nothing about what lies across it.
-        is_wide = (distance < _WIDE * reach[:, None]).sum(axis=1) >= _LEAST
-        facing = np.einsum("pj,pcj->pc", curvature.normal[asked], curvature.normal[points])
-        is_used &= (facing > 0.3) & (distance[:, :1] < 0.5 * reach[:, None]) & is_wide[:, None]
-        normal = (curvature.normal[points] * is_used[:, :, None]).sum(axis=1)
-        normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
-        # Axes that turn along with the normal, so that second derivatives can be compared.
-        first = axis - np.einsum("pj,pj->p", axis, normal)[:, None] * normal
-        first /= np.maximum(np.linalg.norm(first, axis=1), 1e-300)[:, None]
-        frame = (first, np.cross(normal, first), normal)
-        none = np.zeros(len(asked))
-        fit = continue_surface(
-            tuple(np.einsum("pcj,pj->pc", arm, side) for side in frame),
-            (none, none, none),
-            is_used,
-            curvature.noise,
-        )
-        off[:, surface_class] = np.where(fit.is_sound, np.abs(fit.height), np.inf)
-        deviation[:, surface_class] = np.where(fit.is_sound, fit.deviation, np.inf)
-        found.append((surface_class, fit))
-    return off, deviation, _jumps(found, limit, len(asked))
+        chosen = np.flatnonzero(around[asked, surface_class])
+        fit = _continue_side(surface, curvature, asked[chosen], source, piece, reach)
+        off[chosen, surface_class] = np.where(fit.is_sound, np.abs(fit.height), np.inf)
+        deviation[chosen, surface_class] = np.where(fit.is_sound, fit.deviation, np.inf)
+        bends[surface_class] = np.zeros((len(asked), 5))
+        bends[surface_class][chosen] = np.c_[fit.bend, fit.bend_deviation, fit.change]
+    return off, deviation, _jumps(bends, np.isfinite(deviation), limit)
 
 
-def _jumps(found: list[tuple[int, Continuation]], limit: float, count: int) -> Flags:
+def _continue_side(
+    surface: Surface,
+    curvature: Curvature,
+    asked: Indices,
+    source: Indices,
+    piece: Indices,
+    reach: Floats,
+) -> Continuation:
+    """Continue the nearest piece of a side to places."""
+    position, reach = surface.sector_position, reach[asked, None]
+    distance, near = nearest(position[source], position[asked], _POINTS, np.inf)
+    points = source[near]
+    facing = np.einsum("pj,pcj->pc", curvature.normal[asked], curvature.normal[points])
+    is_used = (piece[points] == piece[points[:, :1]]) & (distance < reach) & (facing > _FACING)
+    # A strip of two rows would tell nothing about what lies across it.
+    is_wide = (distance < _WIDE * reach).sum(axis=1, keepdims=True) >= _LEAST
+    is_used &= is_wide & (distance[:, :1] < _NEAREST * reach)
+    normal = (curvature.normal[points] * is_used[:, :, None]).sum(axis=1)
+    normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
+    # Axes that turn along with the normal, so that second derivatives can be compared.
+    axis, _ = tangent_frame(curvature.normal[asked])
+    first = axis - np.einsum("pj,pj->p", axis, normal)[:, None] * normal
+    first /= np.maximum(np.linalg.norm(first, axis=1), 1e-300)[:, None]
+    arm = position[points] - position[asked][:, None]
+    x, y, z = (
+        np.einsum("pcj,pj->pc", arm, side) for side in (first, np.cross(normal, first), normal)
+    )
+    none = np.zeros(len(asked))
+    return continue_surface((x, y, z), (none, none, none), is_used, curvature.noise)
+
+
+def _jumps(bends: dict[int, Floats], is_sound: Flags, limit: float) -> Flags:
     """Return the places where second derivatives of two sides differ."""
-    jumps = np.zeros(count, dtype=np.bool_)
-    for number, (_, one) in enumerate(found):
-        for _, other in found[:number]:
-            both = one.is_sound & other.is_sound
-            size = size_of_bend(one.bend - other.bend)
-            doubt = _SIGNIFICANT * np.hypot(one.bend_deviation, other.bend_deviation)
-            gradual = one.change + other.change
-            gradual += _GRADUAL * np.maximum(size_of_bend(one.bend), size_of_bend(other.bend))
-            jumps |= both & (size > np.maximum(_JUMP * limit, np.maximum(doubt, gradual)))
+    jumps = np.zeros(len(is_sound), dtype=np.bool_)
+    for one, other in itertools.combinations(bends, 2):
+        both = np.flatnonzero(is_sound[:, one] & is_sound[:, other])
+        a, b = bends[one][both], bends[other][both]
+        size = size_of_bend(a[:, :3] - b[:, :3])
+        doubt = _SIGNIFICANT * np.hypot(a[:, 3], b[:, 3])
+        gradual = a[:, 4] + b[:, 4]
+        gradual += _GRADUAL * np.maximum(size_of_bend(a[:, :3]), size_of_bend(b[:, :3]))
+        jumps[both] |= size > np.maximum(_JUMP * limit, np.maximum(doubt, gradual))
     return jumps

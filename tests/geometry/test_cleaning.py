@@ -1,0 +1,83 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What stays, what joins a neighbor, and how surfaces continue beyond their border."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from architectural_curvature.addon.geometry.cleaning.continuation import continue_surface
+from architectural_curvature.addon.geometry.cleaning.sizes import default_min_area
+from architectural_curvature.addon.geometry.criterion import panel_criterion
+from architectural_curvature.addon.geometry.mesh import mesh_from_polygons
+from architectural_curvature.addon.geometry.outlines.borders import trace_borders
+from architectural_curvature.addon.geometry.segmentation import segment
+from architectural_curvature.addon.geometry.surface import build_surface
+from architectural_curvature.addon.geometry.tolerance import Tolerance
+from curvatures import given_curvature
+from numpy.typing import NDArray
+from solids import grid
+
+#: Panels of 2 m; the limit is 0.02/m.
+TOLERANCE = Tolerance(2.0, 0.01)
+#: A plate of 24 × 4 squares of a meter.
+PLATE = build_surface(mesh_from_polygons(*grid(lambda u, v: (24 * u, 4 * v, 0.0), (24, 4))))
+COLUMN = np.arange(96) // 4
+
+
+def _classes(curvature: float, min_area: float = 0.0) -> list[int]:
+    k1 = np.where(COLUMN == 12, curvature, 0.0)
+    found = segment(PLATE, given_curvature(PLATE, k1, 0.0), TOLERANCE, min_area)
+    return sorted({int(each) for each in found.face_class})
+
+
+def test_a_panel_is_the_least_area_but_no_more_than_a_share_of_the_model() -> None:
+    assert default_min_area(PLATE, panel_criterion(Tolerance(0.5, 0.01))) == 0.25
+    assert default_min_area(PLATE, panel_criterion(TOLERANCE)) == pytest.approx(0.48)
+
+
+def test_a_fillet_stays_though_it_is_narrower_than_a_panel() -> None:
+    assert _classes(1.5) == [0, 1]
+
+
+def test_a_least_area_that_is_asked_for_spares_nothing() -> None:
+    # The fillet takes the row beside it along, whose corners are half of it: 8 m².
+    assert _classes(1.5, min_area=7.9) == [0, 1]
+    assert _classes(1.5, min_area=8.1) == [0]
+
+
+@pytest.mark.parametrize(("bend_x", "bend_y"), [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)])
+def test_planes_cylinders_and_spheres_continue_exactly(bend_x: float, bend_y: float) -> None:
+    rng = np.random.default_rng(0)
+    x, y = rng.uniform([[0.1], [-0.25]], [[0.5], [0.25]], (20, 2, 48)).transpose(1, 0, 2)
+
+    def height(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+        square = bend_x * x**2 + bend_y * y**2
+        return square / (1.0 + np.sqrt(1.0 - square))
+
+    here = np.zeros(20)
+    # In a frame that looks along the normal in the middle of the points.
+    slope = bend_x * 0.3 / np.sqrt(1.0 - bend_x * 0.09)
+    turn = np.array([[1.0, slope], [-slope, 1.0]]) / np.hypot(1.0, slope)
+    local_x, local_z = np.einsum("ij,jpc->ipc", turn, np.stack([x, height(x, y)]))
+    fit = continue_surface((local_x, y, local_z), (here, here, here), x > 0.0, 1e-6)
+    assert fit.is_sound.all()
+    # Of a circle, what is left are terms of degree 6: k⁵ x⁶ / 16.
+    assert np.abs(fit.height).max() < 0.5**6 / 16.0
+    assert np.abs(fit.height).max() < 0.1 * 0.5 * 0.1**2 or bend_x == 0.0
+
+
+def test_the_border_of_two_halves_is_one_straight_curve_with_its_length() -> None:
+    curves = trace_borders(PLATE, (COLUMN >= 12).astype(np.int64))
+    assert curves.regions.tolist() == [[0, 1]]
+    assert curves.curves.is_closed.tolist() == [False]
+    assert curves.curves.lengths == pytest.approx([4.0], rel=1e-12)
+
+
+def test_a_zigzag_border_is_straightened_within_the_tolerance() -> None:
+    row = np.arange(96) % 4
+    zigzag = trace_borders(PLATE, (COLUMN >= 12 + row % 2).astype(np.int64)).curves
+    smooth = trace_borders(PLATE, (COLUMN >= 12 + row % 2).astype(np.int64), tolerance=0.5).curves
+    assert zigzag.lengths == pytest.approx([7.0], rel=1e-12)
+    assert smooth.lengths[0] < 5.0
+    assert np.linalg.norm(smooth.points - zigzag.points, axis=1).max() <= 0.5 + 1e-12

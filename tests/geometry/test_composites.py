@@ -1,0 +1,159 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Composite surfaces come apart into the pieces that they were made of."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from architectural_curvature.addon.geometry.classification import SurfaceClass
+from architectural_curvature.addon.geometry.curvature import estimate_curvature
+from architectural_curvature.addon.geometry.mesh import mesh_from_polygons
+from architectural_curvature.addon.geometry.outlines.borders import trace_borders
+from architectural_curvature.addon.geometry.outlines.level_curves import parabolic_curves
+from architectural_curvature.addon.geometry.segmentation import Segmentation, segment
+from architectural_curvature.addon.geometry.surface import Surface, build_surface
+from architectural_curvature.addon.geometry.tolerance import Tolerance, resolve_tolerance
+from composites.catalogue import COMPOSITES
+from composites.composite import Composite, Recipe
+from composites.sheets import zigzag_sheet
+from composites.tubes import torus, torus_shares
+
+NOISE = 0.01
+#: Rows that miss the bar of 99 % clean or 97 % with noise, and what they reach.
+SHORT = {
+    ("rounded box", "triangles", 0.0): "98.6 %",
+    ("pipe elbow", "triangles", 0.0): "98.9 %",
+    ("rounded box", "quads", NOISE): "89 %, and 28 regions",
+    ("rounded box", "triangles", NOISE): "90 %",
+    ("folded plate", "quads", NOISE): "96.9 %",
+    ("folded plate", "triangles", NOISE): "92.6 %",
+}
+
+
+@cache
+def _segmented(name: str, recipe: Recipe) -> tuple[Composite, Surface, Segmentation]:
+    shape = COMPOSITES[name](recipe)
+    surface = build_surface(mesh_from_polygons(shape.vertices, shape.polygons.tolist()))
+    tolerance = resolve_tolerance(0.0, 0.0, surface.mesh.diagonal)
+    return shape, surface, segment(surface, estimate_curvature(surface), tolerance)
+
+
+def _share_right(shape: Composite, surface: Surface, result: Segmentation) -> float:
+    right = result.face_class == shape.exact(result.tolerance.curvature_limit)
+    return float(surface.polygon_area[right].sum() / surface.polygon_area.sum())
+
+
+@pytest.mark.parametrize("noise", [0.0, NOISE])
+@pytest.mark.parametrize("kind", ["quads", "triangles"])
+@pytest.mark.parametrize("name", COMPOSITES)
+def test_the_class_is_right(
+    name: str, kind: str, noise: float, request: pytest.FixtureRequest
+) -> None:
+    if (name, kind, noise) in SHORT:
+        reason = f"reaches {SHORT[name, kind, noise]}"
+        request.applymarker(pytest.mark.xfail(reason=reason, strict=False))
+    share = _share_right(*_segmented(name, Recipe(kind=kind, noise=noise)))
+    assert share >= (0.97 if noise else 0.99)
+
+
+@pytest.mark.parametrize("kind", ["quads", "triangles"])
+@pytest.mark.parametrize("name", COMPOSITES)
+def test_the_number_of_regions_is_exact(name: str, kind: str) -> None:
+    shape, _, result = _segmented(name, Recipe(kind=kind))
+    assert result.regions.count == shape.regions
+
+
+@pytest.mark.parametrize("name", ["apse vault", "folded plate"])
+def test_borders_lie_within_an_edge_of_the_seams(name: str) -> None:
+    shape, surface, result = _segmented(name, Recipe(kind="triangles"))
+    limit = result.tolerance.curvature_limit
+    curves = trace_borders(surface, result.regions.face_region).curves
+    around = np.random.default_rng(0).normal(size=(40, 3))
+    around *= shape.edge / np.linalg.norm(around, axis=1)[:, None]
+    own = shape.class_at(curves.points, limit)
+    others = [
+        shape.class_at(curves.points + share * step, limit)
+        for step in around
+        for share in (0.25, 0.5, 0.75, 1.0)
+    ]
+    is_near = (np.array(others) != own).any(axis=0)
+    assert is_near.mean() > 0.99
+
+
+@pytest.mark.parametrize("deviation", [0.00071, 0.001335, 0.004])
+def test_shares_of_a_torus_follow_the_formula(deviation: float) -> None:
+    shape = torus(Recipe(kind="triangles"))
+    surface = build_surface(mesh_from_polygons(shape.vertices, shape.polygons.tolist()))
+    tolerance = Tolerance(0.2, deviation)
+    result = segment(surface, estimate_curvature(surface), tolerance)
+    classes = (SurfaceClass.SINGLE, SurfaceClass.ELLIPTIC, SurfaceClass.HYPERBOLIC)
+    shares = [result.classes[surface_class].share for surface_class in classes]
+    np.testing.assert_allclose(shares, torus_shares(tolerance.curvature_limit), atol=0.01)
+
+
+@pytest.mark.parametrize("kind", ["quads", "triangles"])
+def test_parabolic_curves_of_a_torus_are_two_circles(kind: str) -> None:
+    shape = torus(Recipe(kind=kind))
+    surface = build_surface(mesh_from_polygons(shape.vertices, shape.polygons.tolist()))
+    curves = parabolic_curves(surface, estimate_curvature(surface), 0.2)
+    assert curves.is_closed.tolist() == [True, True]
+    np.testing.assert_allclose(curves.lengths, 2 * np.pi, rtol=2e-3)
+    off = np.hypot(np.hypot(*curves.points[:, :2].T) - 1, np.abs(curves.points[:, 2]) - 0.4)
+    assert off.max() < 0.1 * shape.edge
+
+
+@pytest.mark.parametrize("name", ["apse vault", "folded plate"])
+def test_the_order_of_faces_and_vertices_does_not_matter(name: str) -> None:
+    shape = COMPOSITES[name](Recipe(count=3000, kind="triangles", noise=NOISE))
+    rng = np.random.default_rng(0)
+    order = rng.permutation(len(shape.polygons))
+    place = rng.permutation(len(shape.vertices))
+    mixed = replace(
+        shape, vertices=shape.vertices[np.argsort(place)], polygons=place[shape.polygons[order]]
+    )
+    found = [
+        segment(surface, estimate_curvature(surface), Tolerance(0.25, 0.00125)).face_class
+        for surface in (
+            build_surface(mesh_from_polygons(each.vertices, each.polygons.tolist()))
+            for each in (shape, mixed)
+        )
+    ]
+    # Ties of distances and of cuts are rare, and rounding decides them.
+    assert (found[1] == found[0][order]).mean() > 0.999
+
+
+def test_the_same_input_gives_the_same_result() -> None:
+    _, surface, result = _segmented("silo", Recipe(kind="triangles"))
+    again = segment(surface, estimate_curvature(surface), result.criterion)
+    assert (again.face_class == result.face_class).all()
+    assert (again.regions.face_region == result.regions.face_region).all()
+
+
+@pytest.mark.parametrize("cells", [6, 20])
+def test_a_sheet_folded_in_zigzag_is_no_single_curved_area(cells: int) -> None:
+    vertices, triangles = zigzag_sheet(81, 0.1, cells)
+    surface = build_surface(mesh_from_polygons(vertices, triangles.tolist()))
+    tolerance = resolve_tolerance(0.0, 0.0, surface.mesh.diagonal)
+    regions = segment(surface, estimate_curvature(surface), tolerance).regions
+    single = regions.area[regions.region_class == SurfaceClass.SINGLE]
+    assert single.max(initial=0.0) < 0.5 * regions.area.sum()
+
+
+def test_progress_rises_and_may_stop_the_work() -> None:
+    _, surface, result = _segmented("silo", Recipe(kind="triangles"))
+    curvature = estimate_curvature(surface)
+    shares: list[float] = []
+    segment(surface, curvature, result.criterion, on_progress=shares.append)
+    assert len(shares) > 8
+    assert shares == sorted(shares)
+    assert 0.0 < shares[0] <= shares[-1] <= 1.0
+
+    def stop(share: float) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        segment(surface, curvature, result.criterion, on_progress=stop)
