@@ -219,7 +219,7 @@ def test_the_redo_panel_offers_what_matters(
 ) -> None:
     operator = importlib.import_module(f"{extension}.operators.segment").CURVATURE_OT_segment
     rna = bpy.ops.curvature.segment.get_rna_type()
-    values = {name: None for name in rna.properties.keys()}
+    values = {name: None for name, _ in rna.properties.items()}
     told = SimpleNamespace(**{**values, "criterion": criterion, "bl_rna": rna, "layout": Layout()})
     operator.draw(told, bpy.context)
     assert told.layout.properties == ["criterion", *expected, "crease_angle", "min_area"]
