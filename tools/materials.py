@@ -107,11 +107,12 @@ MATERIALS = (
 
 _GUIDE = """# Material presets
 
-What the menu *Presets* of the panel *Segmentation* offers; `python3 dev.py presets` writes presets and this page from
-one table, `tools/materials.py`. A radius is the smallest that its source bends the sheet to: whatever bends less than that
-counts as straight, because the flat sheet takes it. **Example** marks what has no source: set the value of your
-fabricator, and save it as a preset of your own by the button with the plus. Treat all of them as a start for a talk with
-the fabricator: coatings, edges, grain, temper and fixings change them.
+What the menu *Presets* of the panel *Segmentation* offers; `python3 dev.py presets` writes
+presets and this page from one table, `tools/materials.py`. A radius is the smallest that its
+source bends the sheet to: whatever bends less than that counts as straight, because the flat
+sheet takes it. **Example** marks what has no source: set the value of your fabricator, and save
+it as a preset of your own by the button with the plus. Treat all of them as a start for a talk
+with the fabricator: coatings, edges, grain, temper and fixings change them.
 
 | preset | smallest radius m | source |
 |---|---|---|"""
