@@ -100,7 +100,9 @@ def _outline(context: Context, source: Object, settings: OutlineSettings) -> dic
 def _trace(subject: Subject, carrier: Object, kind: str, settings: OutlineSettings) -> Polylines:
     analysis, found = subject.analysis, carrier.data.curvature
     if kind == "PARABOLIC":
-        return parabolic_curves(analysis.surface, analysis.curvature, found.curvature_limit)
+        return parabolic_curves(
+            analysis.surface, analysis.curvature, found.curvature_limit, found.panel_size
+        )
     regions = read_attribute(carrier.data, names.REGION)
     if regions is None or len(regions) != analysis.surface.mesh.polygon_count:
         raise CurvatureError("the regions are missing: press Segment first")
