@@ -93,7 +93,7 @@ def _outline(context: Context, source: Object, settings: OutlineSettings) -> dic
     traced = {kind: _trace(subject, carrier, kind, settings) for kind in settings.kinds}
     for kind, curves in traced.items():
         outlines.write_outline(subject, carrier, curves, kind, context.scene)
-        results.write_outline(carrier.data, kind, curves.count, float(curves.lengths.sum()))
+        outlines.write_measures(carrier.data, kind, curves.count, float(curves.lengths.sum()))
     return traced
 
 

@@ -20,7 +20,7 @@ def chart(
     columns = max(6, round(recipe.count / rows))
     step_u, step_v = 1.0 / (rows - 1), 1.0 / (columns if wraps else columns - 1)
     u, v = (
-        a.ravel()
+        a.astype(np.float64).ravel()
         for a in np.meshgrid(np.arange(rows) * step_u, np.arange(columns) * step_v, indexing="ij")
     )
     if recipe.kind == "quads":
