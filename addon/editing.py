@@ -13,6 +13,7 @@ from bpy.types import Context, Object
 from .bridge import edits, results
 from .bridge.edits import Edits
 from .bridge.mode import object_mode
+from .bridge.segmentation_settings import segmentation_settings_of
 from .bridge.subject import carrier_of, source_of
 from .geometry import editing
 from .geometry.classification import SurfaceClass
@@ -165,7 +166,7 @@ def _apply(context: Context, target: Target, given: Edits, outcome: Edited) -> S
         context,
         [source],
         results.settings_of(mesh),
-        results.segmentation_settings_of(mesh),
+        segmentation_settings_of(mesh),
         given=given,
     )
     outcome.carriers += done.carriers

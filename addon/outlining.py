@@ -91,14 +91,16 @@ def _outline(
     traced = {kind: _trace(subject, carrier, kind, settings) for kind in settings.kinds}
     for kind, curves in traced.items():
         outlines.write_outline(subject, carrier, curves, kind, context.scene)
-        results.write_outline(carrier.data, kind, curves.count, float(curves.lengths.sum()))
+        outlines.write_measures(carrier.data, kind, curves.count, float(curves.lengths.sum()))
     return traced
 
 
 def _trace(subject: Subject, carrier: Object, kind: str, settings: OutlineSettings) -> Polylines:
     analysis, found = subject.analysis, carrier.data.curvature
     if kind == "PARABOLIC":
-        return parabolic_curves(analysis.surface, analysis.curvature, found.curvature_limit)
+        return parabolic_curves(
+            analysis.surface, analysis.curvature, found.curvature_limit, found.panel_size
+        )
     regions = read_attribute(carrier.data, names.REGION)
     if regions is None or len(regions) != analysis.surface.mesh.polygon_count:
         raise CurvatureError("the regions are missing: press Segment first")

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from types import SimpleNamespace
+from typing import Any
 
 import bpy
 
@@ -16,7 +17,8 @@ _CONTAINERS = ("row", "column", "box", "split", "grid_flow", "column_flow", "men
 class Layout:
     """Keeps what was drawn in `texts`, `properties`, `operators` and `buttons`, their texts."""
 
-    def __init__(self, parent: Layout | None = None) -> None:
+    def __init__(self, parent: Layout | None = None, context: object = None) -> None:
+        self.context: Any = context or (parent.context if parent else bpy.context)
         self.texts: list[str] = parent.texts if parent else []
         self.properties: list[str] = parent.properties if parent else []
         self.operators: list[str] = parent.operators if parent else []
@@ -65,7 +67,7 @@ class Layout:
         drawer = getattr(bpy.types, name)
         getattr(active_owner, active_name)
         for item in getattr(owner, rows_name):
-            drawer.draw_item(None, bpy.context, self, owner, item, 0, active_owner, active_name)
+            drawer.draw_item(None, self.context, self, owner, item, 0, active_owner, active_name)
 
     def operator_menu_enum(self, name: str, prop: str, **_options: object) -> None:
         """Keep the name of an operator, which must exist with an enumeration of this name."""

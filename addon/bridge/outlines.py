@@ -4,17 +4,22 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import bpy
 import numpy as np
-from bpy.types import Curve, Material, Object, Scene
+from bpy.types import Curve, Material, Mesh, Object, Scene
 
 from ..geometry.outlines.polylines import Polylines
 from ..geometry.types import Floats
 from .collection import link_beside, own_collections, remove_if_empty
+from .numbers import as_typed
 from .subject import Subject
 from .units import meters_per_unit
 
 _ENDINGS = {"BORDERS": "Region Borders", "PARABOLIC": "Parabolic Curves"}
+
+_KEYS = {"BORDERS": "borders", "PARABOLIC": "parabolic_curves"}
 
 #: Scene-linear colors that none of the classes has: near black, and a deep bluish green.
 _COLORS = {"BORDERS": (0.012, 0.012, 0.014), "PARABOLIC": (0.0, 0.17, 0.1)}
@@ -86,6 +91,21 @@ def discard_outlines(source: Object, kinds: tuple[str, ...] = tuple(_ENDINGS)) -
             bpy.data.curves.remove(data)
     remove_if_empty(source, list(homes))
     return bool(found)
+
+
+def write_measures(mesh: Mesh, kind: str, count: int, length: float) -> None:
+    """Keep how many curves of a kind were made of a mesh's results, and their length in meters."""
+    rows = mesh.curvature.outlines
+    row = next((row for row in rows if row.kind == kind), None) or rows.add()
+    row.kind, row.curves, row.length = kind, count, length
+
+
+def outline_blocks(mesh: Mesh) -> dict[str, Any]:
+    """Return the measures of the curves made of a mesh's results, as reports have them."""
+    return {
+        _KEYS[row.kind]: {"count": row.curves, "length": as_typed(row.length)}
+        for row in mesh.curvature.outlines
+    }
 
 
 def _placed(subject: Subject, carrier: Object, points: Floats) -> Floats:

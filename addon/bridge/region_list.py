@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from typing import Any
 
 from bpy.types import Mesh
 
@@ -45,6 +46,14 @@ def region_names(mesh: Mesh) -> list[str]:
         return listed
     rows = json.loads(results.report).get("regions", ())
     return listed + [row.get("name") or default_name(row["id"]) for row in rows[len(listed) :]]
+
+
+def with_names(rows: list[dict[str, Any]], found: list[str]) -> list[dict[str, Any]]:
+    """Return the regions of a report with their names."""
+    return [
+        {"id": row["id"], "name": name, **{k: v for k, v in row.items() if k != "name"}}
+        for row, name in zip(rows, found, strict=True)
+    ]
 
 
 def default_name(number: int) -> str:

@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import json
-from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -15,12 +14,7 @@ from ..geometry.analysis import Analysis
 from ..geometry.classification import SurfaceClass
 from ..geometry.criterion import Criterion, classify_by
 from ..geometry.segmentation import Segmentation
-from ..geometry.settings import (
-    AnalysisSettings,
-    CriterionKind,
-    SegmentationSettings,
-    Smoothing,
-)
+from ..geometry.settings import AnalysisSettings, SegmentationSettings, Smoothing
 from ..geometry.types import AnyArray, Floats
 from ..report.measures import measure_object
 from . import names
@@ -29,10 +23,10 @@ from .comparison import comparison_of, keep_previous
 from .criteria import write_criterion
 from .edits import Edits, names_after, write_edits
 from .numbers import as_typed, as_typed_angle
-from .region_list import region_names, write_regions
+from .outlines import outline_blocks
+from .region_list import region_names, with_names, write_regions
+from .segmentation_settings import write_segmentation_settings
 from .subject import Subject
-
-_OUTLINE_KEYS = {"BORDERS": "borders", "PARABOLIC": "parabolic_curves"}
 
 
 def write_curvature(
@@ -93,21 +87,6 @@ def settings_of(mesh: Mesh) -> AnalysisSettings:
     )
 
 
-def segmentation_settings_of(mesh: Mesh) -> SegmentationSettings:
-    """Return the settings that a mesh was segmented with."""
-    values = json.loads(mesh.curvature.segmentation or "{}")
-    if "criterion" in values:
-        values["criterion"] = CriterionKind[values["criterion"]]
-    return SegmentationSettings(**values)
-
-
-def write_outline(mesh: Mesh, kind: str, count: int, length: float) -> None:
-    """Write how many curves of a kind were made of the results, and their length in meters."""
-    rows = mesh.curvature.outlines
-    row = next((row for row in rows if row.kind == kind), None) or rows.add()
-    row.kind, row.curves, row.length = kind, count, length
-
-
 def is_current(mesh: Mesh, subject: Subject) -> bool:
     """Return whether a mesh carries the curvatures of exactly this analysis already."""
     return mesh.curvature.fingerprint == subject.fingerprint and all(
@@ -150,7 +129,7 @@ def write_segmentation(
     mesh, results = carrier.data, carrier.data.curvature
     region_list = names_after(edits, segmentation, subject.analysis.surface.polygon_area)
     remove_attributes(mesh, (names.FORMER_REGION,))
-    results.segmentation = _settings_text(settings)
+    write_segmentation_settings(mesh, settings)
     results.outlines.clear()
     write_attribute(mesh, names.FACE_CLASS, "FACE", "INT", segmentation.face_class)
     write_attribute(mesh, names.REGION, "FACE", "INT", segmentation.regions.face_region)
@@ -170,7 +149,7 @@ def write_segmentation(
     write_regions(mesh, segmentation, region_list)
     block = measure_object(subject.analysis, segmentation)
     block |= {key: text for key, text in preset.items() if text}
-    block["regions"] = _with_names(block["regions"], region_list)
+    block["regions"] = with_names(block["regions"], region_list)
     _write_summary(mesh, subject, block | comparison_of(mesh), edits.warnings)
 
 
@@ -181,10 +160,8 @@ def read_report(obj: Object) -> dict[str, Any] | None:
         return None
     block = json.loads(results.report)
     if "regions" in block:
-        block["regions"] = _with_names(block["regions"], region_names(obj.data))
-    for row in results.outlines:
-        block[_OUTLINE_KEYS[row.kind]] = {"count": row.curves, "length": as_typed(row.length)}
-    return block
+        block["regions"] = with_names(block["regions"], region_names(obj.data))
+    return block | outline_blocks(obj.data)
 
 
 def clear_results(mesh: Mesh) -> bool:
@@ -207,19 +184,6 @@ def _forget_classes(mesh: Mesh) -> None:
     results.classes.clear()
     results.regions.clear()
     results.outlines.clear()
-
-
-def _with_names(rows: list[dict[str, Any]], found: list[str]) -> list[dict[str, Any]]:
-    """Return the regions of a report with their names."""
-    return [
-        {"id": row["id"], "name": name, **{k: v for k, v in row.items() if k != "name"}}
-        for row, name in zip(rows, found, strict=True)
-    ]
-
-
-def _settings_text(settings: SegmentationSettings) -> str:
-    values = asdict(settings) | {"criterion": settings.criterion.name}
-    return json.dumps(values)
 
 
 def _write_summary(

@@ -47,3 +47,42 @@ def close_pairs(points: Floats, reach: float) -> Indices:
 
     pairs: AnyArray = cKDTree(points).query_pairs(reach, output_type="ndarray")
     return pairs.astype(np.int64).reshape(-1, 2)
+
+
+def nearest_along(
+    links: Indices, lengths: Floats, seeds: Indices, count: int, reach: float
+) -> tuple[Floats, Indices]:
+    """Return how far along links the nearest seed is, and which it is.
+
+    Parameters
+    ----------
+    links : (p, 2) int64
+        Each once.
+    lengths : (p,) float64
+    seeds : (s,) int64
+    count : int
+        Number of nodes.
+    reach : float
+        Seeds farther away are not found.
+
+    Returns
+    -------
+    distance : (count,) float64
+        Infinite where no seed is in reach.
+    seed : (count,) int64
+        Negative there.
+    """
+    from scipy.sparse import csr_matrix
+    from scipy.sparse.csgraph import dijkstra
+
+    # A length of zero would be no link at all.
+    graph = csr_matrix((np.maximum(lengths, 1e-300), links.T), shape=(count, count))
+    distance, _, seed = dijkstra(
+        graph,
+        directed=False,
+        indices=seeds,
+        limit=reach,
+        min_only=True,
+        return_predecessors=True,
+    )
+    return np.asarray(distance, np.float64), np.asarray(seed, np.int64)

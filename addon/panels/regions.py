@@ -7,7 +7,12 @@ from __future__ import annotations
 from bpy.types import Context, Panel, PropertyGroup, UILayout, UIList
 
 from ..bridge import units
+from ..geometry.classification import SurfaceClass
+from ..geometry.display.palette import CLASS_NAMES
 from .base import SidebarPanel, active_results_mesh
+
+#: Sidebars wider than this, in pixels, have room for all figures.
+_WIDE = 330.0
 
 
 class CURVATURE_UL_regions(UIList):
@@ -31,10 +36,12 @@ class CURVATURE_UL_regions(UIList):
         swatch = row.row()
         swatch.scale_x = 0.3
         swatch.prop(scene.curvature, f"color_{item.surface_class.lower()}", text="")
-        split = row.split(factor=0.4)
+        split = row.split(factor=0.36 if _is_wide(context) else 0.58)
         split.prop(item, "name", text="", emboss=False)
-        radius = units.length_text(scene, item.min_radius) if item.min_radius else "\u2013"
-        for text in (units.area_text(scene, item.area), radius, f"{item.faces:,}"):
+        texts = [units.area_text(scene, item.area)]
+        if _is_wide(context):
+            texts += [_radius_text(context, item), f"{item.faces:,}"]
+        for text in texts:
             cell = split.row()
             cell.alignment = "RIGHT"
             cell.label(text=text)
@@ -61,13 +68,14 @@ class CURVATURE_PT_regions(SidebarPanel, Panel):
         if mesh is None:
             return
         results = mesh.curvature
-        _draw_heads(layout)
         layout.template_list(
             CURVATURE_UL_regions.bl_idname, "", results, "regions", results, "active_region", rows=5
         )
         hidden = results.region_count - len(results.regions)
         if hidden > 0:
             layout.label(text=f"and {hidden:,} smaller regions")
+        if results.active_region < len(results.regions):
+            _draw_figures(layout, context, results.regions[results.active_region])
         row = layout.row(align=True)
         row.operator("curvature.select_region", text="Select", icon="RESTRICT_SELECT_OFF")
         row.operator("curvature.select_region", text="Zoom", icon="ZOOM_SELECTED").zoom = True
@@ -79,12 +87,23 @@ class CURVATURE_PT_regions(SidebarPanel, Panel):
         row.operator("curvature.split_region", text="Split")
 
 
-def _draw_heads(layout: UILayout) -> None:
-    row = layout.row(align=True)
-    row.active = False
-    split = row.split(factor=0.4)
-    split.label(text="Name")
-    for text in ("Area", "Radius", "Faces"):
-        cell = split.row()
-        cell.alignment = "RIGHT"
-        cell.label(text=text)
+def _is_wide(context: Context) -> bool:
+    """Return whether the sidebar has room for all figures of a region in one row."""
+    scale = context.preferences.system.ui_scale
+    return context.region is not None and context.region.width > _WIDE * scale
+
+
+def _radius_text(context: Context, region: PropertyGroup) -> str:
+    if not region.min_radius:
+        return "\u2013"
+    return f"R \u2265 {units.length_text(context.scene, region.min_radius)}"
+
+
+def _draw_figures(layout: UILayout, context: Context, region: PropertyGroup) -> None:
+    """Draw what the list has no room for, of the chosen region."""
+    flow = layout.grid_flow(columns=2, even_columns=True, align=True, row_major=True)
+    flow.active = False
+    flow.label(text=CLASS_NAMES[SurfaceClass[region.surface_class]])
+    flow.label(text=units.area_text(context.scene, region.area))
+    flow.label(text=f"{region.faces:,} {'face' if region.faces == 1 else 'faces'}")
+    flow.label(text=_radius_text(context, region))

@@ -76,8 +76,8 @@ def test_the_border_of_two_halves_is_one_straight_curve_with_its_length() -> Non
 
 def test_a_zigzag_border_is_straightened_within_the_tolerance() -> None:
     row = np.arange(96) % 4
-    zigzag = trace_borders(PLATE, (COLUMN >= 12 + row % 2).astype(np.int64)).curves
-    smooth = trace_borders(PLATE, (COLUMN >= 12 + row % 2).astype(np.int64), tolerance=0.5).curves
+    zigzag = trace_borders(PLATE, (12 + row % 2 <= COLUMN).astype(np.int64)).curves
+    smooth = trace_borders(PLATE, (12 + row % 2 <= COLUMN).astype(np.int64), tolerance=0.5).curves
     assert zigzag.lengths == pytest.approx([7.0], rel=1e-12)
     assert smooth.lengths[0] < 5.0
     assert np.linalg.norm(smooth.points - zigzag.points, axis=1).max() <= 0.5 + 1e-12

@@ -100,7 +100,8 @@ def test_curves_lie_on_a_model_that_is_moved_turned_scaled_and_mirrored() -> Non
     np.testing.assert_allclose(found[order], np.array(ridge), atol=2e-5)
     # The ridge is 2 units long along y: 6 units of 1 cm.
     assert obj.data.curvature.outlines[0].length == pytest.approx(0.06, rel=1e-5)
-    np.testing.assert_allclose(_line("BORDERS", "Fold").matrix_world.to_scale(), 1.0, atol=1e-6)
+    scale = np.array(_line("BORDERS", "Fold").matrix_world.to_scale())
+    np.testing.assert_allclose(scale, 1.0, atol=1e-6)
 
 
 def test_curves_lie_on_the_geometry_that_modifiers_make() -> None:

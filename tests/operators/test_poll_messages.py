@@ -8,9 +8,13 @@ import bpy
 import pytest
 from models import STRICT, add_surface, dome
 
-ALL = ("analyze", "segment", "clear", "show", "export_report", "select_class")
-NEED_A_MESH = ("analyze", "segment", "clear", "select_class")
+NEED_CLASSES = (
+    *("select_class", "select_region", "assign_class", "merge_regions", "split_region"),
+    *("outline", "separate", "deliver"),
+)
+NEED_A_MESH = ("analyze", "segment", "clear", *NEED_CLASSES)
 NEED_RESULTS = ("show", "export_report")
+ALL = (*NEED_A_MESH, *NEED_RESULTS)
 
 
 def _refusal(name: str) -> str:
@@ -61,10 +65,11 @@ def test_results_are_asked_for(name: str) -> None:
     assert _refusal(name).rstrip().endswith("Analyze or segment a model first")
 
 
-def test_classes_are_asked_for() -> None:
+@pytest.mark.parametrize("name", NEED_CLASSES)
+def test_classes_are_asked_for(name: str) -> None:
     add_surface(dome)
     bpy.ops.curvature.analyze()
-    assert _refusal("select_class").rstrip().endswith("Segment the model first")
+    assert _refusal(name).rstrip().endswith("Segment the model first")
 
 
 @pytest.mark.parametrize("name", ALL)

@@ -173,20 +173,35 @@ def test_zoom_turns_every_viewport_about_the_region(roof: Object) -> None:
                 np.testing.assert_allclose(found, middle, atol=1e-4)
 
 
-def _draw(name: str) -> Layout:
-    layout = Layout()
+class _Context:
+    """Blender's context with a region of a width, which it lacks without a window."""
+
+    preferences = SimpleNamespace(system=SimpleNamespace(ui_scale=1.0))
+
+    def __init__(self, width: int) -> None:
+        self.region = SimpleNamespace(width=width)
+
+    def __getattr__(self, name: str) -> object:
+        return getattr(bpy.context, name)
+
+
+def _draw(name: str, width: int = 280) -> Layout:
+    context, layout = _Context(width), Layout(context=_Context(width))
     panel = getattr(bpy.types, f"CURVATURE_PT_{name}")
-    if panel.poll(bpy.context):
-        panel.draw(SimpleNamespace(layout=layout), bpy.context)
+    if panel.poll(context):
+        panel.draw(SimpleNamespace(layout=layout), context)
     return layout
 
 
 def test_panel_lists_every_region_with_its_figures(roof: Object) -> None:
-    shown = _draw("regions")
-    assert shown.properties.count("name") == 2
+    roof.data.curvature.active_region = 1
+    narrow, shown = _draw("regions", 240), _draw("regions", 500)
+    assert shown.properties.count("name") == narrow.properties.count("name") == 2
     assert {"color_flat", "color_single"} <= set(shown.properties)
-    for row in roof.data.curvature.regions:
-        assert f"{row.faces:,}" in shown.texts
+    rows = roof.data.curvature.regions
+    assert [f"{row.faces:,}" in shown.texts for row in rows] == [True, True]
+    assert f"{rows[1].faces:,} faces" in narrow.texts
+    assert sum("m²" in text for text in narrow.texts) == 3
     assert shown.operators == [
         "curvature.select_region",
         "curvature.select_region",

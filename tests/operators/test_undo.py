@@ -71,7 +71,11 @@ def test_results_can_be_made_again_after_undo() -> None:
     assert _roof().data.curvature.is_segmented
 
 
-@pytest.mark.parametrize("name", ["analyze", "segment", "show", "clear", "select_class"])
+@pytest.mark.parametrize(
+    "name",
+    ["analyze", "segment", "show", "clear", "select_class", "select_region", "outline"]
+    + ["assign_class", "merge_regions", "split_region"],
+)
 def test_operator_that_changes_the_scene_is_one_undo_step(name: str) -> None:
     options = getattr(bpy.types, f"CURVATURE_OT_{name}").bl_options
     assert options == {"REGISTER", "UNDO"}

@@ -9,10 +9,13 @@ import numpy as np
 from ..curvature import Curvature
 from ..groups import connected_groups
 from ..links import sector_links, typical_length
-from ..nearest import nearest
+from ..nearest import nearest_along
 from ..surface import Surface
-from ..types import Flags, Floats
+from ..types import Flags, Floats, Indices
 from .polylines import Polylines, chain_segments
+
+#: Share of the flatness below which a curvature is taken for none, however certain it is.
+_NOTHING = 0.05
 
 
 def trace_level(
@@ -65,20 +68,24 @@ def trace_level(
     return chain_segments(segments[segments[:, 0] != segments[:, 1]], points)
 
 
-def parabolic_curves(surface: Surface, curvature: Curvature, flatness: float = 0.0) -> Polylines:
+def parabolic_curves(
+    surface: Surface, curvature: Curvature, flatness: float = 0.0, reach: float = 0.0
+) -> Polylines:
     """Return the curves between dome-like and saddle-like parts, where K = 0.
 
     Traced on the curvature of smaller size, signed so that domes are positive: it changes sign
-    where K does, but about linearly, which places the curve more accurately.
+    where K does, but about linearly, which places the curve more accurately. Where it is zero but
+    for its uncertainty, as on cylinders, it says nothing: there the curve runs in the middle
+    between dome and saddle, if both are near.
 
     Parameters
     ----------
     surface : Surface
     curvature : Curvature
     flatness : float
-        Curvature in 1/m that counts as none: on single-curved and flat parts K is zero everywhere
-        and noise has many zeros. A curve is kept where the smaller curvature exceeds this on both
-        sides of it.
+        Curvature in 1/m that domes and saddles exceed somewhere; 0 takes every change of sign.
+    reach : float
+        How far in meters dome and saddle may be from a curve, at least three edges.
 
     Returns
     -------
@@ -89,44 +96,48 @@ def parabolic_curves(surface: Surface, curvature: Curvature, flatness: float = 0
     signed = np.where(
         size_1 >= size_2, np.sign(curvature.k1) * curvature.k2, np.sign(curvature.k2) * curvature.k1
     )
-    curves = trace_level(surface, signed, 0.0, curvature.is_defined)
-    return _between_extremes(surface, signed, curves, flatness)
-
-
-def _between_extremes(
-    surface: Surface, signed: Floats, curves: Polylines, flatness: float
-) -> Polylines:
-    """Keep the curves with clear domes on one side and clear saddles on the other."""
-    if flatness <= 0.0 or not curves.count:
-        return curves
-    # The parts that a curve separates: sectors joined by edges on one side of zero.
+    if flatness <= 0.0:
+        return trace_level(surface, signed, 0.0, curvature.is_defined)
+    sure = np.abs(signed) > np.maximum(curvature.uncertainty, _NOTHING * flatness)
+    sure &= curvature.is_defined
     links = sector_links(surface)
-    same = (signed[links[:, 0]] >= 0.0) == (signed[links[:, 1]] >= 0.0)
-    part = connected_groups(links[same], surface.sector_count)
-    reach = np.zeros(int(part.max()) + 1)
-    np.maximum.at(reach, part, np.abs(signed))
-    is_clear = reach[part] > flatness
-    position = surface.mesh.vertices[surface.sector_vertex]
-    clear = [np.flatnonzero(is_clear & side) for side in (signed >= 0.0, signed < 0.0)]
-    if not all(len(side) for side in clear):
-        return trace_level(surface, np.ones(surface.sector_count))
-    edge = typical_length(position, links)
-    near = [
-        np.isfinite(nearest(position[side], curves.points, 1, 2.0 * edge)[0][:, 0])
-        for side in clear
+    sides = [
+        _exceeding(signed, links, sure & side, flatness) for side in (signed >= 0.0, signed < 0.0)
     ]
-    share = np.add.reduceat((near[0] & near[1]).astype(np.float64), curves.start[:-1])
-    keep = share > 0.5 * np.diff(curves.start)
-    return select_curves(curves, keep)
+    if not all(side.any() for side in sides):
+        return trace_level(surface, np.ones(surface.sector_count))
+    filled, is_near = _between(surface, signed, links, (sides[0], sides[1]), reach)
+    return trace_level(surface, filled, 0.0, is_near)
 
 
-def select_curves(curves: Polylines, keep: Flags) -> Polylines:
-    """Return some of the curves, in the same order."""
-    size = np.diff(curves.start)
-    chosen = np.repeat(keep, size)
-    return Polylines(
-        curves.points[chosen],
-        np.concatenate([[0], np.cumsum(size[keep])]).astype(np.int64),
-        curves.is_closed[keep],
-        curves.source[chosen],
+def _exceeding(signed: Floats, links: Indices, members: Flags, flatness: float) -> Flags:
+    """Return the members that are connected to one whose value exceeds the flatness."""
+    inner = links[members[links].all(axis=1)]
+    part = connected_groups(inner, len(signed))
+    extent = np.zeros(int(part.max(initial=-1)) + 1)
+    np.maximum.at(extent, part[members], np.abs(signed[members]))
+    return members & (extent[part] > flatness)
+
+
+def _between(
+    surface: Surface, signed: Floats, links: Indices, sides: tuple[Flags, Flags], reach: float
+) -> tuple[Floats, Flags]:
+    """Return values that run linearly between two sides, and where both sides are near."""
+    position = surface.mesh.vertices[surface.sector_vertex]
+    steps = np.linalg.norm(position[links[:, 0]] - position[links[:, 1]], axis=1)
+    edge = typical_length(position, links)
+    reach = max(reach, 3.0 * edge)
+    (far_1, source_1), (far_2, source_2) = (
+        nearest_along(links, steps, np.flatnonzero(side), surface.sector_count, reach)
+        for side in sides
     )
+    settled = sides[0] | sides[1]
+    is_near = np.isfinite(far_1) & np.isfinite(far_2)
+    filled = np.where(settled, signed, 0.0)
+    # Dome and saddle in one ring of neighbors: the value in between is as good as theirs.
+    is_narrow = is_near & (far_1 + far_2 <= 2.5 * edge)
+    filled = np.where(is_narrow, signed, filled)
+    gap = is_near & ~settled & ~is_narrow
+    share = far_1[gap] / (far_1[gap] + far_2[gap])
+    filled[gap] = (1.0 - share) * signed[source_1[gap]] + share * signed[source_2[gap]]
+    return filled, is_near
