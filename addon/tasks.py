@@ -55,7 +55,7 @@ class Outcome:
     @property
     def meshes(self) -> list[Mesh]:
         """The meshes of the carriers."""
-        return [carrier.data for carrier in self.carriers]
+        return [each.data for each in self.carriers if isinstance(each.data, Mesh)]
 
     @property
     def warnings(self) -> list[str]:

@@ -12,11 +12,10 @@ from pathlib import Path
 
 import numpy as np
 
-from tools import build, environments
-from tools.blenders import DEFAULT_BLENDER
-from tools.platforms import current_platform
-from tools.processes import python_environment
-
+from .. import build, environments
+from ..blenders import DEFAULT_BLENDER
+from ..platforms import current_platform
+from ..processes import python_environment
 from .engine import ROOT
 from .meshes import make
 
