@@ -162,8 +162,9 @@ def _bend(coefficient: Floats, wanted: Floats) -> Floats:
 def _solved(normal: Floats, weighted: Floats, z: Floats) -> tuple[Floats, Floats]:
     """Return the coefficients of least squares and the inverse of their normal equations."""
     size = normal.shape[1]
-    ridge = _RIDGE * np.trace(normal, axis1=1, axis2=2) + 1e-12
-    inverse: Floats = np.linalg.inv(normal + ridge[:, None, None] * np.eye(size))
+    ridge: Floats = _RIDGE * np.einsum("paa->p", normal) + 1e-12
+    system: Floats = normal + ridge[:, None, None] * np.eye(size)
+    inverse = np.asarray(np.linalg.inv(system), dtype=np.float64)
     right = np.einsum("apc,pc->pa", weighted, z)
     return np.einsum("pab,pb->pa", inverse, right), inverse
 

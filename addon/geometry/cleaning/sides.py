@@ -82,7 +82,7 @@ def side_evidence(
         surface, curvature, links, asked, place_class, (band, around), limit
     )
     # Where a class beside a place cannot be continued, the others prove nothing against it.
-    is_blind: Flags = (around[asked] & ~np.isfinite(deviation)).any(axis=1)
+    is_blind: Flags = np.logical_or.reduce(around[asked] & ~np.isfinite(deviation), axis=1)
     number = np.full(surface.sector_count, -1, dtype=np.int64)
     number[asked] = np.arange(len(asked))
     corner = number[sector]

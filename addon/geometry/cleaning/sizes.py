@@ -51,7 +51,8 @@ def worth_telling(
     -------
     (m,) bool
         Where a panel fits between the region's borders; and where the neighbor with the longest
-        common border is of a simpler class, and the region turns by more than a panel may.
+        common border is of a simpler class, and the region turns by more than a panel may, for at
+        least a panel's length.
     """
     width, neighbor = _width_and_neighbor(surface, regions)
     panel, limit = criterion.tolerance.panel_size, criterion.curvature_limit
@@ -63,6 +64,7 @@ def worth_telling(
         chosen = (told_by == simpler) & (regions.region_class > simpler)
         too_much[chosen] = (_mean(surface, regions, size) - limit)[chosen]
     turns = too_much * np.minimum(width, panel) > limit * panel
+    turns &= regions.boundary_length >= 2.0 * panel
     is_told = turns | (width >= panel)
     return np.append(is_told, False)[regions.face_region]
 
