@@ -101,9 +101,9 @@ def _radius_text(context: Context, region: PropertyGroup) -> str:
 
 def _draw_figures(layout: UILayout, context: Context, region: PropertyGroup) -> None:
     """Draw what the list has no room for, of the chosen region."""
-    flow = layout.grid_flow(columns=2, even_columns=True, align=True, row_major=True)
-    flow.active = False
-    flow.label(text=CLASS_NAMES[SurfaceClass[region.surface_class]])
-    flow.label(text=units.area_text(context.scene, region.area))
-    flow.label(text=f"{region.faces:,} {'face' if region.faces == 1 else 'faces'}")
-    flow.label(text=_radius_text(context, region))
+    col = layout.column(align=True)
+    col.active = False
+    col.label(text=CLASS_NAMES[SurfaceClass[region.surface_class]])
+    row = col.row()
+    row.label(text=f"{region.faces:,} {'face' if region.faces == 1 else 'faces'}")
+    row.label(text=_radius_text(context, region))
