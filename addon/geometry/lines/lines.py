@@ -30,6 +30,8 @@ class LineEnd(IntEnum):
     """It came too close to another line of its family, or to itself."""
     PARABOLIC = 6
     """An asymptotic line at a parabolic curve, beyond which there is none."""
+    FOLD = 7
+    """Where the mesh folds over, so that it does not show which way the surface goes on."""
 
 
 @dataclass(frozen=True)

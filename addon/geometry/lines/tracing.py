@@ -32,6 +32,8 @@ from .umbilics import Umbilics
 _STEP = 0.25
 #: Least number of steps between two looks at other lines.
 _LOOK = 8
+#: Way between two looks, over the side of a triangle, below which an arm is stuck.
+_SLOWEST = 0.02
 
 
 def trace(
@@ -78,6 +80,7 @@ def trace(
     parts, sparse = [first, _at_umbilics(field, umbilics, seeds, tangent)], [first]
     looked = np.zeros(len(arm))
     looks = max(_LOOK, int(rules.spacing / field.mesh.edge_length))
+    before, is_new = arc.copy(), np.ones(len(arm), dtype=np.bool_)
     count, seen = 0, take_samples(field, no_trail())
     while len(active := np.flatnonzero(state.end < 0)):
         moving = walkers.chosen(active)
@@ -103,6 +106,9 @@ def trace(
         if count % looks == 0 or not (state.end[active] < 0).any():
             recent = take_samples(field, joined(sparse))
             seen, sparse = joined([seen, recent]), [no_trail()]
+            is_stuck = (state.end < 0) & (arc - before < _SLOWEST * field.mesh.edge_length)
+            state.end[is_stuck & ~is_new] = LineEnd.FOLD
+            before, is_new = arc.copy(), np.zeros(len(arm), dtype=np.bool_)
             end_at_neighbors(recent, seen, placed, state, rules)
     return state, take_samples(field, joined(parts))
 
