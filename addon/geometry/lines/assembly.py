@@ -9,11 +9,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..types import Flags, Floats, Indices
+from .endings import Arms, Rules
 from .field import DirectionField
 from .lines import CurvatureLines, LineEnd
 from .samples import Samples, close_pairs
 from .steps import cross, go_straight, start_walkers, unfold
-from .endings import Arms, Rules
 
 #: A line closes if its arms miss each other by no more than this share of its length, or of a side
 #: of a triangle, and of the spacing.
@@ -64,8 +64,9 @@ def assemble(
     position = samples.position[order]
     step = np.linalg.norm(np.diff(position, axis=0, prepend=position[:1]), axis=1)
     is_double = (np.diff(line, prepend=-1) == 0) & (step < _DOUBLE * field.mesh.edge_length)
-    length = np.bincount(line, np.where(np.diff(line, prepend=-1) == 0, step, 0.0),
-                         len(state.is_removed))
+    length = np.bincount(
+        line, np.where(np.diff(line, prepend=-1) == 0, step, 0.0), len(state.is_removed)
+    )
     is_kept = ~is_double & (length >= shortest)[line]
     order, line = order[is_kept], line[is_kept]
     seed, count = np.unique(line, return_counts=True)
@@ -85,9 +86,7 @@ def _line_family(samples: Samples, count: int) -> Indices:
     return family
 
 
-def _meetings(
-    field: DirectionField, state: Arms, samples: Samples, rules: Rules
-) -> _Meetings:
+def _meetings(field: DirectionField, state: Arms, samples: Samples, rules: Rules) -> _Meetings:
     """Return where lines close, cut their arms there; arms that miss each other end instead."""
     inside = state.closing[samples.line] & ~state.is_removed[samples.line]
     inside &= samples.arc <= state.cut[samples.arm]
@@ -116,8 +115,9 @@ def _meetings(
     state.cut[2 * found.line[is_closed] + 1] = (
         found.backward[is_closed] - 0.1 * field.mesh.edge_length
     )
-    return _Meetings(*(getattr(found, name)[is_closed]
-                       for name in ("line", "forward", "backward", "miss")))
+    return _Meetings(
+        *(getattr(found, name)[is_closed] for name in ("line", "forward", "backward", "miss"))
+    )
 
 
 def _own_pairs(forward: Samples, backward: Samples, rules: Rules) -> tuple[Indices, Indices]:
@@ -137,9 +137,7 @@ def _end_open(state: Arms, forward: Samples, one: Indices, far: Flags, lines: In
     state.end[both] = LineEnd.NEIGHBOR
 
 
-def _closed(
-    field: DirectionField, samples: Samples, meetings: _Meetings
-) -> tuple[Indices, Floats]:
+def _closed(field: DirectionField, samples: Samples, meetings: _Meetings) -> tuple[Indices, Floats]:
     """Return the samples' places, those of closed lines moved so that the arms meet.
 
     What the arms miss each other by is spread over the whole line, which turns it by no more than

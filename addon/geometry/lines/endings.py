@@ -135,9 +135,7 @@ def end_at_sides(
     state.end[active[in_area & ~is_out]] = LineEnd.AREA
 
 
-def end_at_parabolic(
-    field: DirectionField, moving: Walkers, state: Arms, active: Indices
-) -> None:
+def end_at_parabolic(field: DirectionField, moving: Walkers, state: Arms, active: Indices) -> None:
     """End asymptotic lines where there is no such direction any more."""
     lines = np.flatnonzero(moving.family >= ASYMPTOTIC[0])
     if len(lines):

@@ -18,7 +18,7 @@ import numpy as np
 from ..curvature import Curvature
 from ..engine.normals import tangent_frame
 from ..surface import Surface
-from ..types import Flags, Floats, Indices
+from ..types import Complexes, Flags, Floats, Indices
 from .triangulation import Triangulation, triangulate
 
 #: Cosine between a triangle and the interpolated normal that is taken where the mesh folds over.
@@ -73,7 +73,7 @@ class DirectionField:
     surface: Surface
     mesh: Triangulation
     normal: Floats
-    deviator: np.ndarray[tuple[int], np.dtype[np.complex128]]
+    deviator: Complexes
     mean: Floats
     uncertainty: Floats
     is_defined: Flags
@@ -99,9 +99,7 @@ class DirectionField:
         direction = np.cos(half) * first + np.sin(half) * second
         return np.where((self.strength > 0.0)[:, None], direction, 0.0)
 
-    def with_deviator(
-        self, deviator: np.ndarray[tuple[int], np.dtype[np.complex128]]
-    ) -> DirectionField:
+    def with_deviator(self, deviator: Complexes) -> DirectionField:
         """Return the field with other directions."""
         packed = _pack(self.normal, deviator, self.mean)
         return replace(self, deviator=deviator, packed=packed)
@@ -179,13 +177,11 @@ def build_direction_field(surface: Surface, curvature: Curvature) -> DirectionFi
     )
 
 
-def _pack(
-    normal: Floats, deviator: np.ndarray[tuple[int], np.dtype[np.complex128]], mean: Floats
-) -> Floats:
+def _pack(normal: Floats, deviator: Complexes, mean: Floats) -> Floats:
     """Return what is interpolated, side by side: matrix, normal, mean, (s, 13)."""
     a, b = tangent_frame(normal)
     real, imaginary = deviator.real[:, None], deviator.imag[:, None]
-    # real (aa - bb) + imaginary (ab + ba)
+    # The real part times aa - bb, the imaginary one times ab + ba.
     one = real * a + imaginary * b
     other = imaginary * a - real * b
     matrix = a[:, :, None] * one[:, None, :] + b[:, :, None] * other[:, None, :]

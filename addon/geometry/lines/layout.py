@@ -21,12 +21,12 @@ import numpy as np
 from ..errors import InvalidSettingError
 from ..types import Indices, Progress
 from .assembly import assemble
+from .endings import Rules
 from .field import PRINCIPAL, Family
 from .lines import CurvatureLines, joined_lines, no_lines
-from .endings import Rules
 from .samples import Samples, distances, joined
-from .seeds import Seeds
 from .seeding import gap_seeds, guide_seeds, hole_seeds, measured_seeds, ray_seeds, samples_along
+from .seeds import Seeds
 from .tracer import LineField, usable
 from .tracing import trace
 
@@ -62,7 +62,10 @@ class _Layout:
         self.tried = joined([self.tried, samples.chosen(samples.arc == 0.0)])
         if new.count:
             self.samples = joined(
-                [self.samples, samples_along(self.lines.field, new, 0.25 * spacing, self.placed.count)]
+                [
+                    self.samples,
+                    samples_along(self.lines.field, new, 0.25 * spacing, self.placed.count),
+                ]
             )
             self.placed = joined_lines(self.placed, new)
         return new.count
@@ -130,9 +133,7 @@ def trace_evenly(
     return _sorted(layout.placed)
 
 
-def _guides(
-    lines: LineField, layout: _Layout, families: tuple[Family, ...]
-) -> CurvatureLines:
+def _guides(lines: LineField, layout: _Layout, families: tuple[Family, ...]) -> CurvatureLines:
     """Return lines across the families, of which spacings are measured off."""
     seeds = usable(lines, guide_seeds(lines, families))
     alone = Rules(layout.rules.spacing, layout.rules.nearest, competes=False)

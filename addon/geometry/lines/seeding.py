@@ -14,8 +14,8 @@ from .assembly import shifted
 from .field import DirectionField, Family
 from .lines import CurvatureLines
 from .samples import Samples, Trail, close_pairs, distances, take_samples
-from .tracer import LineField
 from .seeds import Seeds, joined_seeds, make_seeds
+from .tracer import LineField, is_usable
 
 #: The family that crosses each one.
 _ACROSS = {
@@ -74,7 +74,8 @@ def ray_seeds(lines: LineField, families: tuple[Family, ...], spacing: float) ->
     has_ray = (umbilics.rays != 0.0).any(axis=2) & (np.abs(umbilics.index) == 0.5)[:, None]
     umbilic, number = np.nonzero(has_ray)
     ray = umbilics.rays[umbilic, number]
-    parts: list[Seeds] = []
+    none = np.zeros(0, dtype=np.int64)
+    parts = [make_seeds(none, np.zeros((0, 3)), none)]
     for family, sign in ((Family.FIRST, 1.0), (Family.SECOND, -1.0)):
         if family not in families:
             continue
@@ -101,7 +102,11 @@ def ray_seeds(lines: LineField, families: tuple[Family, ...], spacing: float) ->
 def guide_seeds(lines: LineField, families: tuple[Family, ...]) -> Seeds:
     """Return a seed in the middle of every smooth part, for lines across the families."""
     field, mesh = lines.field, lines.field.mesh
-    is_open = lines.umbilics.triangle_area < 0
+    strength = field.strength
+    if min(families) >= Family.ASYMPTOTIC_LEFT:
+        strength = np.sqrt(np.maximum(strength**2 - field.mean**2, 0.0))
+    strength = strength[mesh.triangles].min(axis=1)
+    is_open = (lines.umbilics.triangle_area < 0) & (strength > 0.0)
     joined = (mesh.neighbor >= 0) & is_open[:, None] & is_open[mesh.neighbor]
     triangle, side = np.nonzero(joined)
     part = connected_groups(
@@ -110,10 +115,13 @@ def guide_seeds(lines: LineField, families: tuple[Family, ...]) -> Seeds:
     count = int(part.max(initial=-1)) + 1
     area = sum_by_group(part, mesh.double_area, count)
     middle = mesh.position[mesh.triangles].mean(axis=1)
-    center = np.stack(
-        [sum_by_group(part, mesh.double_area * middle[:, axis], count) for axis in range(3)], axis=1
-    ) / np.maximum(area, 1e-300)[:, None]
-    strength = field.strength[mesh.triangles].min(axis=1)
+    center = (
+        np.stack(
+            [sum_by_group(part, mesh.double_area * middle[:, axis], count) for axis in range(3)],
+            axis=1,
+        )
+        / np.maximum(area, 1e-300)[:, None]
+    )
     typical = sum_by_group(part, mesh.double_area * strength, count) / np.maximum(area, 1e-300)
     away = np.linalg.norm(middle - center[part], axis=1)
     is_weak = strength < _STRONG * typical[part]
@@ -214,6 +222,7 @@ def hole_seeds(
     all_of_them = take_samples(field, place)
     distance = distances(all_of_them, samples, spacing, 4.0 * spacing)
     far = np.flatnonzero(distance > spacing)
+    far = far[is_usable(lines, triangle[far], barycentric[far], family[far])]
     far = far[np.argsort(-np.minimum(distance[far], 1e30), kind="stable")]
     far = far[_apart(all_of_them.chosen(far), spacing)]
     chosen = all_of_them.chosen(far)

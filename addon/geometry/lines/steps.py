@@ -195,11 +195,9 @@ def unfold(mesh: Triangulation, walkers: Walkers, side: Indices) -> None:
     triangle = walkers.triangle[here]
     inward = mesh.gradient[triangle, np.argmin(walkers.barycentric[here], axis=1)]
     inward = inward / np.sqrt((inward**2).sum(axis=1) + 1e-300)[:, None]
-    along = np.cross(mesh.frame[triangle, 2], inward)
+    along: Floats = np.cross(mesh.frame[triangle, 2], inward)
     part = np.clip(np.einsum("nx,nx->n", walkers.heading[here], along), -1.0, 1.0)
-    walkers.heading[here] = (
-        part[:, None] * along + np.sqrt(1.0 - part * part)[:, None] * inward
-    )
+    walkers.heading[here] = part[:, None] * along + np.sqrt(1.0 - part * part)[:, None] * inward
 
 
 def _exit(start: Floats, rate: Floats) -> tuple[Floats, Indices]:

@@ -11,12 +11,12 @@ import numpy as np
 
 from ..curvature import Curvature
 from ..surface import Surface
-from ..types import Floats, Indices
+from ..types import Flags, Floats, Indices
 from .assembly import assemble
+from .endings import Rules
 from .field import PRINCIPAL, DirectionField, Family, build_direction_field
 from .lines import CurvatureLines
 from .refinement import bridged, smoothed, with_uncertainty
-from .endings import Rules
 from .samples import Samples, no_trail, take_samples
 from .seeds import Seeds, make_seeds
 from .tracing import trace
@@ -110,6 +110,10 @@ def trace_from(
 
 def usable(lines: LineField, seeds: Seeds) -> Seeds:
     """Return the seeds at which there is a direction."""
-    strength = lines.field.evaluate(seeds.triangle, seeds.barycentric, seeds.family)[2]
-    outside = lines.umbilics.triangle_area[seeds.triangle] < 0
-    return seeds.chosen((strength > 0.0) & outside)
+    return seeds.chosen(is_usable(lines, seeds.triangle, seeds.barycentric, seeds.family))
+
+
+def is_usable(lines: LineField, triangle: Indices, barycentric: Floats, family: Indices) -> Flags:
+    """Return the points at which there is a direction, (n,) bool."""
+    strength = lines.field.evaluate(triangle, barycentric, family)[2]
+    return (strength > 0.0) & (lines.umbilics.triangle_area[triangle] < 0)

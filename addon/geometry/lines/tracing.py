@@ -113,9 +113,7 @@ def trace(
     return state, take_samples(field, joined(parts))
 
 
-def _at_umbilics(
-    field: DirectionField, umbilics: Umbilics, seeds: Seeds, tangent: Floats
-) -> Trail:
+def _at_umbilics(field: DirectionField, umbilics: Umbilics, seeds: Seeds, tangent: Floats) -> Trail:
     """Return the umbilics that lines come from as the ends of their backward arms."""
     rays = np.flatnonzero(seeds.umbilic >= 0)
     umbilic = seeds.umbilic[rays]
