@@ -23,8 +23,10 @@ from .tracing import trace
 from .transport import build_transport
 from .umbilics import Umbilics, find_umbilics
 
-#: Distance over the side of a triangle at which a line without spacing ends beside itself.
-_NEAREST = 1.0
+#: What stands for the spacing of lines without one, over the side of a triangle.
+_SPACING = 4.0
+#: Share of it at which a line ends beside itself.
+_NEAREST = 0.5
 
 
 @dataclass(frozen=True)
@@ -99,8 +101,8 @@ def trace_from(
         Family by family, in the order of the points. Points on umbilics and in umbilic areas have
         no lines.
     """
-    edge = lines.field.mesh.edge_length
-    rules = Rules(spacing=2.0 * edge, nearest=_NEAREST * edge, competes=False)
+    spacing = _SPACING * lines.field.mesh.edge_length
+    rules = Rules(spacing=spacing, nearest=_NEAREST * spacing, competes=False)
     seeds = make_seeds(
         np.tile(triangle, len(families)),
         np.tile(barycentric, (len(families), 1)),
