@@ -134,7 +134,8 @@ def test_lines_are_evenly_spaced_without_holes(name: str) -> None:
         chosen = traced.chosen(np.flatnonzero(traced.family == family))
         hole = cKDTree(chosen.points).query(middle)[0]
         assert 2.0 * hole.max() < 2.5 * spacing
-        distance, other = cKDTree(chosen.points).query(chosen.points, k=80)
+        found = cKDTree(chosen.points).query(chosen.points, k=80)
+        distance, other = np.asarray(found[0]), np.asarray(found[1])
         line = chosen.point_line
         distance[line[other] == line[:, None]] = np.inf
         nearest = distance.min(axis=1)

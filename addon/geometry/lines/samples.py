@@ -56,7 +56,7 @@ class Trail:
     @property
     def signed_arc(self) -> Floats:
         """(p,) way along the line, negative behind the seed."""
-        return np.where(self.arm % 2 == 0, 1.0, -1.0) * self.arc
+        return (self.arc * (1 - 2 * (self.arm % 2))).astype(np.float64)
 
     def chosen(self, items: Indices | Flags) -> Self:
         """Return some of the places: by numbers or flags."""

@@ -110,7 +110,7 @@ def find_umbilics(field: DirectionField, transport: Transport, zone: Indices) ->
     area_size = 0.5 * sum_by_group(
         triangle_area[is_inside], mesh.double_area[is_inside], area_count
     )
-    half = np.round(2.0 * index).astype(np.int64)
+    half = np.rint(2.0 * index).astype(np.int64)
     half[is_inside] = 0
     zeros = _grouped(field, find_zeros(field, np.flatnonzero(half)), half, zone)
     return Umbilics(
