@@ -1,0 +1,129 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Many lines traced at once from their seeds, forward and backward, until each has a reason to end.
+
+Every line has two arms, which run from its seed in opposite directions. All arms move together,
+one triangle at a time; now and then it is looked up which came too close to another line.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..types import Floats
+from .endings import (
+    Arms,
+    Rules,
+    end_at_neighbors,
+    end_at_parabolic,
+    end_at_sides,
+    end_at_umbilics,
+    surroundings,
+)
+from .field import DirectionField
+from .lines import LineEnd
+from .samples import Samples, Trail, joined, no_trail, take_samples
+from .seeds import Seeds
+from .steps import follow, start_walkers
+from .umbilics import Umbilics
+
+#: Most way in one step, and about the way between the places that are compared with other lines,
+#: over the spacing.
+_STEP = 0.25
+#: Least number of steps between two looks at other lines.
+_LOOK = 8
+#: Way between two looks, over the side of a triangle, below which an arm is stuck.
+_SLOWEST = 0.02
+
+
+def trace(
+    field: DirectionField, umbilics: Umbilics, seeds: Seeds, placed: Samples, rules: Rules
+) -> tuple[Arms, Samples]:
+    """Trace lines from seeds.
+
+    Parameters
+    ----------
+    field : DirectionField
+    umbilics : Umbilics
+        Of the field.
+    seeds : Seeds
+    placed : Samples
+        Lines that are there already.
+    rules : Rules
+
+    Returns
+    -------
+    state : Arms
+    samples : Samples
+        All places reached, in the order in which each arm reached them.
+    """
+    arm = np.arange(2 * len(seeds))
+    line = arm // 2
+    tangent = field.evaluate(seeds.triangle, seeds.barycentric, seeds.family)[0]
+    turned = np.einsum("nx,nx->n", tangent, seeds.heading) < 0.0
+    tangent = np.where(turned[:, None], -tangent, tangent)
+    heading = np.where((arm % 2 == 0)[:, None], 1.0, -1.0) * tangent[line]
+    walkers = start_walkers(
+        seeds.triangle[line], seeds.barycentric[line], heading, seeds.family[line]
+    )
+    arc = np.zeros(len(arm))
+    first = Trail(
+        arm, arc.copy(), seeds.triangle[line], seeds.barycentric[line], heading, walkers.family
+    )
+    state = Arms(
+        end=np.where((seeds.umbilic[line] >= 0) & (arm % 2 == 1), LineEnd.UMBILIC, -1),
+        cut=np.full(len(arm), np.inf),
+        is_removed=np.zeros(len(seeds), dtype=np.bool_),
+        closing=np.zeros(len(seeds), dtype=np.bool_),
+    )
+    around = surroundings(field, umbilics, rules)
+    parts, sparse = [first, _at_umbilics(field, umbilics, seeds, tangent)], [first]
+    looked = np.zeros(len(arm))
+    looks = max(_LOOK, int(rules.spacing / field.mesh.edge_length))
+    before, is_new = arc.copy(), np.ones(len(arm), dtype=np.bool_)
+    count, seen = 0, take_samples(field, no_trail())
+    while len(active := np.flatnonzero(state.end < 0)):
+        moving = walkers.chosen(active)
+        way, side = follow(field, moving, np.full(len(active), _STEP * rules.spacing))
+        arc[active] += way
+        new = Trail(
+            active,
+            arc[active],
+            moving.triangle.copy(),
+            moving.barycentric.copy(),
+            moving.heading,
+            moving.family,
+        )
+        parts.append(new)
+        is_due = new.arc >= looked[active] + _STEP * rules.spacing * (1.0 - 1e-6)
+        looked[active[is_due]] = new.arc[is_due]
+        sparse.append(new.chosen(is_due))
+        end_at_umbilics(field, around, new, state)
+        end_at_sides(field, around, moving, side, state, active)
+        end_at_parabolic(field, moving, state, active)
+        walkers.put(active, moving)
+        count += 1
+        if count % looks == 0 or not (state.end[active] < 0).any():
+            recent = take_samples(field, joined(sparse))
+            seen, sparse = joined([seen, recent]), [no_trail()]
+            is_stuck = (state.end < 0) & (arc - before < _SLOWEST * field.mesh.edge_length)
+            state.end[is_stuck & ~is_new] = LineEnd.FOLD
+            before, is_new = arc.copy(), np.zeros(len(arm), dtype=np.bool_)
+            end_at_neighbors(recent, seen, placed, state, rules)
+    return state, take_samples(field, joined(parts))
+
+
+def _at_umbilics(field: DirectionField, umbilics: Umbilics, seeds: Seeds, tangent: Floats) -> Trail:
+    """Return the umbilics that lines come from as the ends of their backward arms."""
+    rays = np.flatnonzero(seeds.umbilic >= 0)
+    umbilic = seeds.umbilic[rays]
+    corner = field.mesh.position[field.mesh.triangles[seeds.triangle[rays]]]
+    seed = np.einsum("nc,ncx->nx", seeds.barycentric[rays], corner) + field.mesh.offset
+    return Trail(
+        2 * rays + 1,
+        np.linalg.norm(umbilics.position[umbilic] - seed, axis=1),
+        umbilics.triangle[umbilic],
+        umbilics.barycentric[umbilic],
+        -tangent[rays],
+        seeds.family[rays],
+    )
