@@ -1,0 +1,210 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lines put together from their arms: trimmed, closed where the arms met, in one direction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..types import Flags, Floats, Indices
+from .field import DirectionField
+from .lines import CurvatureLines, LineEnd
+from .samples import Samples
+from .steps import cross, go_straight, start_walkers, unfold
+from .tracing import Arms, Rules
+from .umbilics import Umbilics
+
+#: A line closes if its arms miss each other by no more than this share of its length, or of a side
+#: of a triangle, and of the spacing.
+_MISS_LENGTH, _MISS_EDGE, _MISS_SPACING = 0.005, 0.5, 0.4
+#: Points closer than this share of a side of a triangle to the one before are left out.
+_DOUBLE = 1e-4
+
+
+@dataclass
+class _Meetings:
+    """Where the two arms of m lines meet: line, ways of the arms, miss to the left of the line."""
+
+    line: Indices
+    forward: Floats
+    backward: Floats
+    miss: Floats
+
+
+def assemble(
+    field: DirectionField, umbilics: Umbilics, state: Arms, rules: Rules, shortest: float
+) -> tuple[CurvatureLines, Indices]:
+    """Return the lines that traced arms form.
+
+    Parameters
+    ----------
+    field : DirectionField
+    umbilics : Umbilics
+    state : Arms
+        As traced.
+    rules : Rules
+    shortest : float
+        Lines below this length in meters are left out.
+
+    Returns
+    -------
+    lines : CurvatureLines
+    seed : (n,) int64
+        Seed of each line.
+    """
+    meetings = _meetings(field, state, rules)
+    samples = state.samples.chosen(
+        (state.samples.arc <= state.cut[state.samples.arm])
+        & ~state.is_removed[state.samples.line]
+        & ((state.samples.arm % 2 == 0) | (state.samples.arc > 0.0))
+    )
+    triangle, barycentric = _closed(field, samples, meetings)
+    del umbilics
+    order = np.lexsort((samples.signed_arc, samples.line))
+    line = samples.line[order]
+    position = samples.position[order]
+    step = np.linalg.norm(np.diff(position, axis=0, prepend=position[:1]), axis=1)
+    is_double = (np.diff(line, prepend=-1) == 0) & (step < _DOUBLE * field.mesh.edge_length)
+    length = np.bincount(line, np.where(np.diff(line, prepend=-1) == 0, step, 0.0),
+                         len(state.is_removed))
+    is_kept = ~is_double & (length >= shortest)[line]
+    order, line = order[is_kept], line[is_kept]
+    seed, count = np.unique(line, return_counts=True)
+    rows = order
+    corner = np.stack([2 * seed + 1, 2 * seed], axis=1)
+    return (
+        CurvatureLines(
+            points=field.mesh.points(triangle[rows], barycentric[rows]),
+            triangle=triangle[rows],
+            barycentric=barycentric[rows],
+            start=np.concatenate([[0], np.cumsum(count)]).astype(np.int64),
+            family=_line_family(samples, len(state.is_removed))[seed],
+            ends=state.end[corner],
+        ),
+        seed.astype(np.int64),
+    )
+
+
+def _line_family(samples: Samples, count: int) -> Indices:
+    family = np.zeros(count, dtype=np.int64)
+    family[samples.line] = samples.family
+    return family
+
+
+def _meetings(field: DirectionField, state: Arms, rules: Rules) -> _Meetings:
+    """Return where lines close, cut their arms there; arms that miss each other end instead."""
+    samples = state.samples
+    inside = state.closing[samples.line] & ~state.is_removed[samples.line]
+    inside &= samples.arc <= state.cut[samples.arm]
+    forward = samples.chosen(inside & (samples.arm % 2 == 0))
+    backward = samples.chosen(inside & (samples.arm % 2 == 1))
+    one, two = _own_pairs(forward, backward, rules)
+    apart = forward.position[one] - backward.position[two]
+    ahead = np.einsum("nx,nx->n", apart, backward.heading[two])
+    far = forward.arc[one] + backward.arc[two] > 1.5 * rules.spacing
+    behind = np.flatnonzero(far & (ahead <= 0.0))
+    order = behind[np.lexsort((forward.arc[one[behind]], forward.arm[one[behind]]))]
+    first = order[np.flatnonzero(np.diff(forward.line[one[order]], prepend=-1))]
+    left = np.cross(forward.normal[one[first]], forward.heading[one[first]])
+    left /= np.linalg.norm(left, axis=1)[:, None] + 1e-300
+    found = _Meetings(
+        line=forward.line[one[first]],
+        forward=forward.arc[one[first]],
+        backward=backward.arc[two[first]] + ahead[first],
+        miss=-np.einsum("nx,nx->n", left, apart[first]),
+    )
+    length = found.forward + found.backward
+    allowed = np.maximum(_MISS_LENGTH * length, _MISS_EDGE * field.mesh.edge_length)
+    is_closed = np.abs(found.miss) <= np.minimum(allowed, _MISS_SPACING * rules.spacing)
+    _end_open(state, forward, one, far, found.line[~is_closed])
+    state.cut[2 * found.line[is_closed]] = found.forward[is_closed]
+    state.cut[2 * found.line[is_closed] + 1] = (
+        found.backward[is_closed] - 0.1 * field.mesh.edge_length
+    )
+    return _Meetings(*(getattr(found, name)[is_closed]
+                       for name in ("line", "forward", "backward", "miss")))
+
+
+def _own_pairs(forward: Samples, backward: Samples, rules: Rules) -> tuple[Indices, Indices]:
+    """Return pairs of samples on the two arms of a line that are close, nearest first."""
+    from dataclasses import replace
+
+    from .samples import close_pairs
+
+    # What keeps families apart keeps lines apart here.
+    one = replace(forward, family=forward.line)
+    two = replace(backward, family=backward.line)
+    return close_pairs(one, two, rules.spacing, rules.nearest, 1)
+
+
+def _end_open(state: Arms, forward: Samples, one: Indices, far: Flags, lines: Indices) -> None:
+    """End the forward arms of lines where they first come close to their own backward arms."""
+    is_missed = np.isin(forward.line, lines)[one] & far
+    arm, arc = forward.arm[one[is_missed]], forward.arc[one[is_missed]]
+    np.minimum.at(state.cut, arm, arc)
+    both = np.concatenate([2 * lines, 2 * lines + 1])
+    state.end[both] = LineEnd.NEIGHBOR
+
+
+def _closed(
+    field: DirectionField, samples: Samples, meetings: _Meetings
+) -> tuple[Indices, Floats]:
+    """Return the samples' places, those of closed lines moved so that the arms meet.
+
+    What the arms miss each other by is spread over the whole line, which turns it by no more than
+    the miss over the length.
+    """
+    miss = np.zeros(int(samples.line.max(initial=-1)) + 1)
+    whole = np.ones((len(miss), 2))
+    miss[meetings.line] = meetings.miss
+    whole[meetings.line, 0] = meetings.forward
+    whole[meetings.line, 1] = meetings.backward
+    is_backward = samples.arm % 2
+    share = 0.5 * samples.arc / whole[samples.line, is_backward]
+    way = miss[samples.line] * share * np.where(is_backward == 1, -1.0, 1.0)
+    moving = np.flatnonzero(np.abs(way) > 1e-6 * field.mesh.edge_length)
+    left = np.cross(samples.normal[moving], samples.heading[moving])
+    # Headings of the backward arm run against the line.
+    left *= np.where((is_backward[moving] == 1) != (way[moving] < 0.0), -1.0, 1.0)[:, None]
+    left /= np.linalg.norm(left, axis=1)[:, None] + 1e-300
+    triangle, barycentric = samples.triangle.copy(), samples.barycentric.copy()
+    triangle[moving], barycentric[moving] = shifted(
+        field, triangle[moving], barycentric[moving], left, np.abs(way[moving])
+    )
+    return triangle, barycentric
+
+
+def shifted(
+    field: DirectionField, triangle: Indices, barycentric: Floats, heading: Floats, way: Floats
+) -> tuple[Indices, Floats]:
+    """Return places moved straight over the surface, as far as it goes.
+
+    Parameters
+    ----------
+    field : DirectionField
+    triangle : (n,) int64
+    barycentric : (n, 3) float64
+    heading : (n, 3) float64
+        Tangents of any length.
+    way : (n,) float64
+        In meters.
+
+    Returns
+    -------
+    triangle : (n,) int64
+    barycentric : (n, 3) float64
+    """
+    walkers = start_walkers(triangle, barycentric, heading, np.ones(len(triangle), dtype=np.int64))
+    left = way.copy()
+    active = np.arange(len(left))
+    while len(active):
+        moving = walkers.chosen(active)
+        done, side = go_straight(field.mesh, moving, left[active])
+        is_out = cross(field.mesh, moving, side)
+        unfold(field.mesh, moving, np.where(is_out, -1, side))
+        walkers.put(active, moving)
+        left[active] -= done
+        active = active[~is_out & (side >= 0)]
+    return walkers.triangle, walkers.barycentric

@@ -1,0 +1,231 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The line field of a surface's principal directions, between its vertices too.
+
+What is interpolated is not directions, which have no sign, but the part of the shape operator
+that has no trace: it turns twice as fast as the directions, is small where they are uncertain, and
+vanishes at umbilics. It is kept as a matrix in space beside the normal, so that along an edge both
+triangles see the same field and lines cross it without a jump.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from enum import IntEnum
+
+import numpy as np
+
+from ..curvature import Curvature
+from ..engine.normals import tangent_frame
+from ..surface import Surface
+from ..types import Flags, Floats, Indices
+from .triangulation import Triangulation, triangulate
+
+#: Cosine between a triangle and the interpolated normal that is taken where the mesh folds over.
+_STEEPEST = 0.1
+
+
+class Family(IntEnum):
+    """Which direction a line follows."""
+
+    FIRST = 1
+    """Along the direction of k1."""
+    SECOND = 2
+    """Along the direction of k2."""
+    ASYMPTOTIC_LEFT = 3
+    """Without normal curvature, turned left from the direction of k1, seen from outside."""
+    ASYMPTOTIC_RIGHT = 4
+    """Without normal curvature, turned right from the direction of k1."""
+
+
+PRINCIPAL = (Family.FIRST, Family.SECOND)
+"""The two families of principal curvature lines."""
+
+ASYMPTOTIC = (Family.ASYMPTOTIC_LEFT, Family.ASYMPTOTIC_RIGHT)
+"""The two families of asymptotic lines."""
+
+
+@dataclass(frozen=True)
+class DirectionField:
+    """A field of pairs of crossing lines on the triangles of a surface.
+
+    Parameters
+    ----------
+    surface : Surface
+    mesh : Triangulation
+        Its triangles.
+    normal : (s, 3) float64
+        Unit normals of the sectors; zero where undefined.
+    deviator : (s,) complex128
+        (k1 - k2) / 2 times exp(2i angle), the angle of direction 1 in `tangent_frame(normal)`, in
+        1/m: twice the turn of the directions, and zero at umbilics.
+    mean : (s,) float64
+        Mean curvature in 1/m.
+    uncertainty : (s,) float64
+        Standard uncertainty of the deviator's size in 1/m.
+    is_defined : (s,) bool
+        Where there is a curvature.
+    """
+
+    surface: Surface
+    mesh: Triangulation
+    normal: Floats
+    deviator: np.ndarray[tuple[int], np.dtype[np.complex128]]
+    mean: Floats
+    uncertainty: Floats
+    is_defined: Flags
+    packed: Floats
+
+    @property
+    def strength(self) -> Floats:
+        """(s,) half the difference of the principal curvatures, in 1/m."""
+        return np.abs(self.deviator)
+
+    @property
+    def confidence(self) -> Floats:
+        """(s,) from 0 at umbilics and on flat parts to 1 where directions are beyond doubt."""
+        square = self.strength**2
+        total = square + self.uncertainty**2
+        return np.divide(square, total, out=np.zeros_like(square), where=total > 0.0)
+
+    @property
+    def direction_1(self) -> Floats:
+        """(s, 3) unit directions of k1, of either sign; zero where there is none."""
+        first, second = tangent_frame(self.normal)
+        half = 0.5 * np.angle(self.deviator)[:, None]
+        direction = np.cos(half) * first + np.sin(half) * second
+        return np.where((self.strength > 0.0)[:, None], direction, 0.0)
+
+    def with_deviator(
+        self, deviator: np.ndarray[tuple[int], np.dtype[np.complex128]]
+    ) -> DirectionField:
+        """Return the field with other directions."""
+        packed = _pack(self.normal, deviator, self.mean)
+        return replace(self, deviator=deviator, packed=packed)
+
+    def evaluate(
+        self, triangle: Indices, barycentric: Floats, family: Indices
+    ) -> tuple[Floats, Floats, Floats]:
+        """Return the directions of lines at points in triangles.
+
+        Parameters
+        ----------
+        triangle : (n,) int64
+        barycentric : (n, 3) float64
+        family : (n,) int64
+            Values of `Family`.
+
+        Returns
+        -------
+        tangent : (n, 3) float64
+            Unit vectors at right angles to the interpolated normal, of either sign.
+        course : (n, 3) float64
+            The same in the plane of the triangle: seen along the interpolated normal.
+        strength : (n,) float64
+            Half the difference of the principal curvatures in 1/m; for asymptotic lines the square
+            root of -k1 k2, zero where there is no such direction.
+        """
+        values = np.einsum(
+            "ncf,nc->nf", self.packed[self.mesh.triangles[triangle]], barycentric, optimize=False
+        )
+        frame = self.mesh.frame[triangle]
+        normal = values[:, 6:9]
+        normal = normal / np.sqrt(_dot(normal, normal) + 1e-300)[:, None]
+        first = frame[:, 0] - _dot(frame[:, 0], normal)[:, None] * normal
+        first /= np.sqrt(_dot(first, first) + 1e-300)[:, None]
+        second = _cross(normal, first)
+        applied = _apply(values, first)
+        bend = 0.5 * (_dot(first, applied) - _dot(second, _apply(values, second)))
+        twist = _dot(second, applied)
+        angle = 0.5 * np.arctan2(twist, bend)
+        strength = np.hypot(twist, bend)
+        angle, strength = _turned(angle, strength, values[:, 9], family)
+        tangent = np.cos(angle)[:, None] * first + np.sin(angle)[:, None] * second
+        cosine = np.maximum(_dot(normal, frame[:, 2]), _STEEPEST)
+        course = tangent - (_dot(tangent, frame[:, 2]) / cosine)[:, None] * normal
+        course /= np.sqrt(_dot(course, course) + 1e-300)[:, None]
+        return tangent, course, strength
+
+
+def build_direction_field(surface: Surface, curvature: Curvature) -> DirectionField:
+    """Return the line field of the principal directions.
+
+    Parameters
+    ----------
+    surface : Surface
+    curvature : Curvature
+        Of this surface.
+
+    Returns
+    -------
+    DirectionField
+    """
+    first, second = tangent_frame(curvature.normal)
+    along = np.einsum("ij,ij->i", curvature.direction_1, first)
+    across = np.einsum("ij,ij->i", curvature.direction_1, second)
+    deviator = 0.5 * (curvature.k1 - curvature.k2) * (along + 1j * across) ** 2
+    mean = curvature.mean
+    return DirectionField(
+        surface=surface,
+        mesh=triangulate(surface),
+        normal=curvature.normal,
+        deviator=deviator,
+        mean=mean,
+        uncertainty=curvature.uncertainty,
+        is_defined=curvature.is_defined,
+        packed=_pack(curvature.normal, deviator, mean),
+    )
+
+
+def _pack(
+    normal: Floats, deviator: np.ndarray[tuple[int], np.dtype[np.complex128]], mean: Floats
+) -> Floats:
+    """Return what is interpolated, side by side: xx, yy, zz, xy, xz, yz, normal, mean, (s, 10)."""
+    a, b = tangent_frame(normal)
+    real, imaginary = deviator.real[:, None], deviator.imag[:, None]
+    # real (aa - bb) + imaginary (ab + ba), entry by entry
+    one = real * a + imaginary * b
+    other = imaginary * a - real * b
+    matrix = a[:, :, None] * one[:, None, :] + b[:, :, None] * other[:, None, :]
+    rows, columns = [0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]
+    return np.concatenate([matrix[:, rows, columns], normal, mean[:, None]], axis=1)
+
+
+def _turned(
+    angle: Floats, strength: Floats, mean: Floats, family: Indices
+) -> tuple[Floats, Floats]:
+    """Return angle and strength of each family, given those of the first."""
+    angle = np.where(family == Family.SECOND, angle + 0.5 * np.pi, angle)
+    is_asymptotic = family >= Family.ASYMPTOTIC_LEFT
+    if is_asymptotic.any():
+        cosine = np.clip(-mean / np.maximum(strength, 1e-300), -1.0, 1.0)
+        turn = 0.5 * np.arccos(cosine)
+        turn = np.where(family == Family.ASYMPTOTIC_RIGHT, -turn, turn)
+        angle = np.where(is_asymptotic, angle + turn, angle)
+        saddle = np.sqrt(np.maximum(strength**2 - mean**2, 0.0))
+        strength = np.where(is_asymptotic, saddle, strength)
+    return angle, strength
+
+
+def _dot(a: Floats, b: Floats) -> Floats:
+    return a[:, 0] * b[:, 0] + a[:, 1] * b[:, 1] + a[:, 2] * b[:, 2]
+
+
+def _cross(a: Floats, b: Floats) -> Floats:
+    return np.stack(
+        [
+            a[:, 1] * b[:, 2] - a[:, 2] * b[:, 1],
+            a[:, 2] * b[:, 0] - a[:, 0] * b[:, 2],
+            a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0],
+        ],
+        axis=1,
+    )
+
+
+def _apply(values: Floats, vector: Floats) -> Floats:
+    """Return symmetric matrices (xx, yy, zz, xy, xz, yz in the first columns) times vectors."""
+    xx, yy, zz, xy, xz, yz = values[:, :6].T
+    x, y, z = vector.T
+    return np.stack(
+        [xx * x + xy * y + xz * z, xy * x + yy * y + yz * z, xz * x + yz * y + zz * z], axis=1
+    )

@@ -1,0 +1,146 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lines that cover a surface evenly: as far from each other as asked for, without holes.
+
+First come the lines that run into umbilics, which part the others, and lines across which the
+spacing can be measured off. Then gaps are filled from the lines beside them, and last what is still
+far from any line.
+
+References
+----------
+.. [1] Jobard, Lefer (1997). Creating evenly-spaced streamlines of arbitrary density. Visualization
+       in Scientific Computing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import InvalidSettingError
+from ..types import Indices, Progress
+from .assembly import assemble
+from .field import PRINCIPAL, Family
+from .lines import CurvatureLines, joined_lines, no_lines
+from .samples import Samples, distances, join_samples
+from .seeding import gap_seeds, guide_seeds, hole_seeds, measured_seeds, ray_seeds, samples_along
+from .tracer import LineField, usable
+from .tracing import Rules, Seeds, trace
+
+#: Share of the spacing at which a line ends beside another one.
+_NEAREST = 0.5
+#: Seeds closer than this share of the spacing to a line are none.
+_FREE = 0.85
+#: Shorter lines than this many spacings are left out.
+_SHORTEST = 1.0
+#: Most rounds of filling; gaps are gone much earlier.
+_ROUNDS = 60
+
+
+@dataclass
+class _Layout:
+    """Lines placed so far, their samples, and the seeds that gave none."""
+
+    lines: LineField
+    rules: Rules
+    placed: CurvatureLines
+    samples: Samples
+    tried: Samples
+
+    def add(self, seeds: Seeds) -> int:
+        """Trace seeds against what is placed; return the number of new lines."""
+        seeds = usable(self.lines, seeds)
+        if not len(seeds):
+            return 0
+        spacing = self.rules.spacing
+        state = trace(self.lines.field, self.lines.umbilics, seeds, self.samples, self.rules)
+        new, _ = assemble(
+            self.lines.field, self.lines.umbilics, state, self.rules, _SHORTEST * spacing
+        )
+        self.tried = join_samples([self.tried, state.samples.chosen(state.samples.arc == 0.0)])
+        if new.count:
+            self.samples = join_samples(
+                [self.samples, samples_along(self.lines.field, new, 0.25 * spacing, self.placed.count)]
+            )
+            self.placed = joined_lines(self.placed, new)
+        return new.count
+
+    def fresh(self, seeds: Seeds, found: Samples) -> Seeds:
+        """Return the seeds that are far from lines and from seeds tried before."""
+        spacing = self.rules.spacing
+        is_free = distances(found, self.samples, spacing, _FREE * spacing) == np.inf
+        is_new = distances(found, self.tried, spacing, 0.3 * spacing) == np.inf
+        return seeds.chosen(is_free & is_new)
+
+
+def trace_evenly(
+    lines: LineField,
+    spacing: float,
+    families: tuple[Family, ...] = PRINCIPAL,
+    on_progress: Progress | None = None,
+) -> CurvatureLines:
+    """Trace evenly spaced lines.
+
+    Parameters
+    ----------
+    lines : LineField
+    spacing : float
+        Between neighboring lines of a family, in meters.
+    families : tuple of Family
+    on_progress : callable, optional
+        Receives the share of the work that is done; may raise to stop it.
+
+    Returns
+    -------
+    CurvatureLines
+        Family by family, long lines first.
+
+    Raises
+    ------
+    InvalidSettingError
+        If the spacing is not a positive length.
+    """
+    if not (np.isfinite(spacing) and spacing > 0.0):
+        raise InvalidSettingError(f"the spacing must be greater than zero, not {spacing:g} m")
+    if on_progress:
+        on_progress(0.0)
+    layout = _Layout(
+        lines=lines,
+        rules=Rules(spacing=spacing, nearest=_NEAREST * spacing, competes=True),
+        placed=no_lines(),
+        samples=lines.no_samples,
+        tried=lines.no_samples,
+    )
+    layout.add(ray_seeds(lines, families, spacing))
+    guides = _guides(lines, layout, families)
+    layout.add(measured_seeds(lines, guides, families, spacing))
+    for turn in range(_ROUNDS):
+        if on_progress:
+            on_progress(1.0 - 0.8 ** (turn + 1))
+        seeds, found = gap_seeds(lines, layout.placed, layout.samples, spacing)
+        added = layout.add(layout.fresh(seeds, found))
+        if not added:
+            seeds, found = hole_seeds(lines, layout.samples, families, spacing)
+            seeds = layout.fresh(seeds, found)
+            if not len(seeds):
+                break
+            layout.add(seeds)
+    return _sorted(layout.placed)
+
+
+def _guides(
+    lines: LineField, layout: _Layout, families: tuple[Family, ...]
+) -> CurvatureLines:
+    """Return lines across the families, of which spacings are measured off."""
+    seeds = usable(lines, guide_seeds(lines, families))
+    alone = Rules(layout.rules.spacing, layout.rules.nearest, competes=False)
+    state = trace(lines.field, lines.umbilics, seeds, lines.no_samples, alone)
+    new, _ = assemble(lines.field, lines.umbilics, state, alone, layout.rules.spacing)
+    return new
+
+
+def _sorted(placed: CurvatureLines) -> CurvatureLines:
+    """Return lines by family and falling length."""
+    order: Indices = np.lexsort((-placed.length, placed.family))
+    return placed.chosen(order)

@@ -1,0 +1,276 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where evenly spaced lines start: at umbilics, along lines across, beside lines, in holes."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..groups import connected_groups, sum_by_group
+from ..types import Floats, Indices
+from .assembly import shifted
+from .field import ASYMPTOTIC, DirectionField, Family
+from .lines import CurvatureLines
+from .samples import Samples, close_pairs, distances, take_samples
+from .tracer import LineField
+from .tracing import Seeds, make_seeds
+
+#: The family that crosses each one.
+_ACROSS = {
+    Family.FIRST: Family.SECOND,
+    Family.SECOND: Family.FIRST,
+    Family.ASYMPTOTIC_LEFT: Family.ASYMPTOTIC_RIGHT,
+    Family.ASYMPTOTIC_RIGHT: Family.ASYMPTOTIC_LEFT,
+}
+#: A gap up to this many spacings wide takes one line, in its middle.
+_ONE = 2.5
+#: Parts of a surface smaller than this many squared spacings get no guide of their own.
+_PART = 4.0
+#: Smallest strength, over that of the typical sector, where guides start.
+_STRONG = 0.5
+
+
+def samples_along(
+    field: DirectionField, lines: CurvatureLines, step: float, first_line: int
+) -> Samples:
+    """Return points of lines no closer than a step along each, and the ends.
+
+    Parameters
+    ----------
+    field : DirectionField
+    lines : CurvatureLines
+    step : float
+        In meters.
+    first_line : int
+        Number that the first line gets.
+
+    Returns
+    -------
+    Samples
+    """
+    line = lines.point_line
+    arc, ahead = _course(lines)
+    number = np.floor(arc / step)
+    is_new = (np.diff(number, prepend=-1.0) != 0.0) | (np.diff(line, prepend=-1) != 0)
+    is_new[lines.start[1:] - 1] = True
+    return take_samples(
+        field,
+        2 * (first_line + line[is_new]),
+        arc[is_new],
+        lines.triangle[is_new],
+        lines.barycentric[is_new],
+        ahead[is_new],
+        lines.family[line][is_new],
+    )
+
+
+def ray_seeds(lines: LineField, families: tuple[Family, ...], spacing: float) -> Seeds:
+    """Return seeds beside the umbilics, where lines run straight out of them."""
+    umbilics, mesh = lines.umbilics, lines.field.mesh
+    has_ray = (umbilics.rays != 0.0).any(axis=2) & (np.abs(umbilics.index) == 0.5)[:, None]
+    umbilic, number = np.nonzero(has_ray)
+    ray = umbilics.rays[umbilic, number]
+    parts: list[Seeds] = []
+    for family, sign in ((Family.FIRST, 1.0), (Family.SECOND, -1.0)):
+        if family not in families:
+            continue
+        way = np.full(len(ray), min(0.25 * spacing, 1.5 * mesh.edge_length))
+        triangle, barycentric = shifted(
+            lines.field,
+            umbilics.triangle[umbilic],
+            umbilics.barycentric[umbilic],
+            sign * ray,
+            way,
+        )
+        parts.append(
+            Seeds(
+                triangle,
+                barycentric,
+                np.full(len(ray), int(family), dtype=np.int64),
+                umbilic.astype(np.int64),
+                sign * ray,
+            )
+        )
+    return _joined(parts)
+
+
+def guide_seeds(lines: LineField, families: tuple[Family, ...]) -> Seeds:
+    """Return a seed in the middle of every smooth part, for lines across the families."""
+    field, mesh = lines.field, lines.field.mesh
+    is_open = lines.umbilics.triangle_area < 0
+    joined = (mesh.neighbor >= 0) & is_open[:, None] & is_open[mesh.neighbor]
+    triangle, side = np.nonzero(joined)
+    part = connected_groups(
+        np.stack([triangle, mesh.neighbor[triangle, side]], axis=1), len(is_open)
+    )
+    count = int(part.max(initial=-1)) + 1
+    area = sum_by_group(part, mesh.double_area, count)
+    middle = mesh.position[mesh.triangles].mean(axis=1)
+    center = np.stack(
+        [sum_by_group(part, mesh.double_area * middle[:, axis], count) for axis in range(3)], axis=1
+    ) / np.maximum(area, 1e-300)[:, None]
+    strength = field.strength[mesh.triangles].min(axis=1)
+    typical = sum_by_group(part, mesh.double_area * strength, count) / np.maximum(area, 1e-300)
+    away = np.linalg.norm(middle - center[part], axis=1)
+    is_weak = strength < _STRONG * typical[part]
+    order = np.lexsort((away, is_weak, part))
+    first = order[np.flatnonzero(np.diff(part[order], prepend=-1))]
+    # Only the largest parts: what is small is filled without a guide.
+    first = first[is_open[first]]
+    first = first[np.argsort(-area[part[first]])][:50]
+    across = sorted({int(_ACROSS[family]) for family in families})
+    return make_seeds(
+        np.tile(first, len(across)),
+        np.full((len(first) * len(across), 3), 1.0 / 3.0),
+        np.repeat(np.array(across, dtype=np.int64), len(first)),
+    )
+
+
+def measured_seeds(
+    lines: LineField, guides: CurvatureLines, families: tuple[Family, ...], spacing: float
+) -> Seeds:
+    """Return seeds at even distances along guides, as close to the spacing as that goes."""
+    wanted = np.isin(guides.family, [int(_ACROSS[family]) for family in families])
+    chosen = guides.chosen(np.flatnonzero(wanted))
+    line = chosen.point_line
+    arc, _ = _course(chosen)
+    length = chosen.length
+    number = np.maximum(1, np.round(length / spacing))
+    # On a guide from rim to rim the outer lines keep half a spacing to the rims.
+    step = arc / (length / number)[line] + 0.5
+    is_due = (np.diff(np.floor(step), prepend=0.0) > 0.0) & (np.diff(line, prepend=-1) == 0)
+    is_due |= (np.diff(line, prepend=-1) != 0) & chosen.is_closed[line]
+    here = np.flatnonzero(is_due)
+    across = np.zeros(1 + max(Family), dtype=np.int64)
+    for one, other in _ACROSS.items():
+        across[one] = other
+    # From the middle of each guide outward, so that what is important comes first.
+    return make_seeds(
+        chosen.triangle[here], chosen.barycentric[here], across[chosen.family[line[here]]]
+    )
+
+
+def gap_seeds(
+    lines: LineField, placed: CurvatureLines, samples: Samples, spacing: float
+) -> tuple[Seeds, Samples]:
+    """Return seeds beside lines, where the next line is missing.
+
+    One for every run of points along a side of a line that have no neighbor: the middle of the
+    run, longest runs first.
+    """
+    field = lines.field
+    step = samples_along(field, placed, 0.5 * spacing, 0)
+    side = np.repeat([1.0, -1.0], len(step))
+    both = step.chosen(np.tile(np.arange(len(step)), 2))
+    left = side[:, None] * np.cross(both.normal, both.heading)
+    left /= np.linalg.norm(left, axis=1)[:, None] + 1e-300
+    left = _crossing(field, both, left)
+    found, gone = _moved(field, both, left, np.full(len(both), spacing))
+    gap = _gaps(found, samples, gone, spacing)
+    is_narrow = gap < _ONE * spacing
+    way = np.where(is_narrow, 0.5 * gap, spacing)
+    found, gone = _moved(field, both, left, way)
+    is_there = np.linalg.norm(found.position - both.position, axis=1) > 0.7 * way
+    is_free = distances(found, samples, spacing, 0.85 * spacing) == np.inf
+    is_free &= is_there & (lines.umbilics.triangle_area[found.triangle] < 0)
+    run = np.cumsum((np.diff(is_free, prepend=False)) | (np.diff(both.line, prepend=-1) != 0))
+    rows = np.flatnonzero(is_free)
+    names, first, size = np.unique(run[rows], return_index=True, return_counts=True)
+    middle = rows[first + size // 2]
+    middle = middle[np.argsort(-size, kind="stable")]
+    del names
+    middle = middle[_apart(found.chosen(middle), spacing)]
+    chosen = found.chosen(middle)
+    return make_seeds(chosen.triangle, chosen.barycentric, chosen.family), chosen
+
+
+def hole_seeds(
+    lines: LineField, samples: Samples, families: tuple[Family, ...], spacing: float
+) -> tuple[Seeds, Samples]:
+    """Return seeds in the middle of triangles that are farther than a spacing from any line."""
+    field = lines.field
+    mesh = field.mesh
+    inside = np.flatnonzero((lines.umbilics.triangle_area < 0) & (mesh.double_area > 0.0))
+    # A triangle in about every quarter of a spacing is enough.
+    size = max(mesh.edge_length, 0.25 * spacing)
+    cell = np.floor(mesh.position[mesh.triangles[inside]].mean(axis=1) / size).astype(np.int64)
+    inside = inside[np.unique(cell, axis=0, return_index=True)[1]]
+    triangle = np.tile(inside, len(families))
+    family = np.repeat(np.array([int(each) for each in families], dtype=np.int64), len(inside))
+    barycentric = np.full((len(triangle), 3), 1.0 / 3.0)
+    none = np.zeros((len(triangle), 3))
+    all_of_them = take_samples(
+        field, 2 * np.arange(len(triangle)), np.zeros(len(triangle)), triangle, barycentric, none,
+        family,
+    )  # fmt: skip
+    distance = distances(all_of_them, samples, spacing, 4.0 * spacing)
+    far = np.flatnonzero(distance > spacing)
+    far = far[np.argsort(-np.minimum(distance[far], 1e30), kind="stable")]
+    far = far[_apart(all_of_them.chosen(far), spacing)]
+    chosen = all_of_them.chosen(far)
+    return make_seeds(chosen.triangle, chosen.barycentric, chosen.family), chosen
+
+
+def _course(lines: CurvatureLines) -> tuple[Floats, Floats]:
+    """Return the way from the first point of its line, and the direction, of every point."""
+    line = lines.point_line
+    move = np.diff(lines.points, axis=0, prepend=lines.points[:1])
+    move[lines.start[:-1][np.diff(lines.start) > 0]] = 0.0
+    total = np.cumsum(np.linalg.norm(move, axis=1))
+    arc = total - total[lines.start[:-1]][line]
+    ahead = np.roll(move, -1, axis=0)
+    last = lines.start[1:] - 1
+    ahead[last] = move[last]
+    return arc, ahead / (np.linalg.norm(ahead, axis=1)[:, None] + 1e-300)
+
+
+def _crossing(field: DirectionField, samples: Samples, left: Floats) -> Floats:
+    """Return the directions to one side along the family that crosses each line."""
+    across = np.zeros(1 + max(Family), dtype=np.int64)
+    for one, other in _ACROSS.items():
+        across[one] = other
+    is_oblique = samples.family >= ASYMPTOTIC[0]
+    if not is_oblique.any():
+        return left
+    return left
+
+
+def _moved(
+    field: DirectionField, samples: Samples, heading: Floats, way: Floats
+) -> tuple[Samples, Floats]:
+    """Return samples moved straight over the surface, and the direction they went."""
+    triangle, barycentric = shifted(field, samples.triangle, samples.barycentric, heading, way)
+    found = take_samples(
+        field, samples.arm, samples.arc, triangle, barycentric, heading, samples.family
+    )
+    gone = found.position - samples.position
+    return found, gone / (np.linalg.norm(gone, axis=1)[:, None] + 1e-300)
+
+
+def _gaps(found: Samples, samples: Samples, gone: Floats, spacing: float) -> Floats:
+    """Return the width of the gap in which each sample is, inf where it is wide, in meters."""
+    sample, other = close_pairs(found, samples, spacing, (_ONE - 1.0) * spacing, 24)
+    apart = samples.position[other] - found.position[sample]
+    distance = np.linalg.norm(apart, axis=1)
+    is_ahead = np.einsum("nx,nx->n", apart, gone[sample]) > 0.7 * distance
+    gap = np.full(len(found), np.inf)
+    np.minimum.at(gap, sample[is_ahead], spacing + distance[is_ahead])
+    return gap
+
+
+def _apart(samples: Samples, spacing: float) -> Indices:
+    """Return the samples that have no more important one of their family close by."""
+    sample, other = close_pairs(samples, samples, spacing, 0.85 * spacing, 12)
+    is_kept = np.ones(len(samples), dtype=np.bool_)
+    is_kept[sample[other < sample]] = False
+    return np.flatnonzero(is_kept)
+
+
+def _joined(parts: list[Seeds]) -> Seeds:
+    return Seeds(
+        np.concatenate([part.triangle for part in parts]),
+        np.concatenate([part.barycentric for part in parts]),
+        np.concatenate([part.family for part in parts]),
+        np.concatenate([part.umbilic for part in parts]),
+        np.concatenate([part.heading for part in parts]),
+    )

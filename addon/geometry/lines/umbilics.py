@@ -1,0 +1,170 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Umbilics: points and areas where the principal curvatures are equal, with their index.
+
+The index is how often the principal directions turn while one walks around. On a closed surface
+the indices of all points and areas add up to its Euler characteristic, exactly, because the turns
+along sides cancel and what is left of the angles is the total curvature. On a surface with rims or
+creases every smooth piece has that sum less the turns of the directions along its outline.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+import numpy as np
+
+from ..groups import connected_groups, sum_by_group
+from ..types import Flags, Floats, Indices
+from .field import DirectionField
+from .linear_zero import Zeros, find_zeros
+from .transport import Transport
+
+
+class UmbilicKind(IntEnum):
+    """Pattern of the lines around an umbilic, after Darboux."""
+
+    LEMON = 1
+    """Index 1/2, one straight line of each family runs into it."""
+    MONSTAR = 2
+    """Index 1/2, three straight lines of each family run into it."""
+    STAR = 3
+    """Index -1/2, three lines of each family run into it."""
+    OTHER = 4
+    """Any other index: several umbilics in one, as at the poles of a surface of revolution."""
+
+
+@dataclass(frozen=True)
+class Umbilics:
+    """Umbilic points and areas of a direction field.
+
+    Parameters
+    ----------
+    position : (u, 3) float64
+        Points in the mesh's coordinates, in meters.
+    triangle : (u,) int64
+        Triangle that holds each point.
+    barycentric : (u, 3) float64
+        Place in it.
+    index : (u,) float64
+        Multiples of 1/2, never 0.
+    kind : (u,) int64
+        Values of `UmbilicKind`.
+    rays : (u, 3, 3) float64
+        Unit tangents in which lines of the first family leave the point; lines of the second leave
+        the opposite way. As many as the kind has, then zeros.
+    triangle_area : (t,) int64
+        Umbilic area of each triangle, -1 for none.
+    area_index : (a,) float64
+        Index of each area: the turn of the directions around it, or 0 for an area that contains a
+        whole open piece.
+    area_size : (a,) float64
+        In m².
+    """
+
+    position: Floats
+    triangle: Indices
+    barycentric: Floats
+    index: Floats
+    kind: Indices
+    rays: Floats
+    triangle_area: Indices
+    area_index: Floats
+    area_size: Floats
+
+    @property
+    def count(self) -> int:
+        """Number of isolated umbilics."""
+        return len(self.index)
+
+    @property
+    def total_index(self) -> float:
+        """Sum of the indices; the Euler characteristic of a closed surface without creases."""
+        return float(self.index.sum() + self.area_index.sum())
+
+
+def find_umbilics(field: DirectionField, transport: Transport, zone: Indices) -> Umbilics:
+    """Return the umbilic points and areas of a field.
+
+    Parameters
+    ----------
+    field : DirectionField
+    transport : Transport
+    zone : (s,) int64
+        Doubtful zones from `refinement.bridged`.
+
+    Returns
+    -------
+    Umbilics
+    """
+    mesh = field.mesh
+    total = transport.turn(field.deviator).sum(axis=1) + 2.0 * transport.excess()
+    index = total / (4.0 * np.pi)
+    triangle_area, area_count = _areas(mesh.triangles, zone)
+    is_inside = triangle_area >= 0
+    area_index = sum_by_group(triangle_area[is_inside], index[is_inside], area_count)
+    area_size = 0.5 * sum_by_group(triangle_area[is_inside], mesh.double_area[is_inside], area_count)
+    half = np.where(is_inside, 0, np.round(2.0 * index)).astype(np.int64)
+    zeros = _grouped(field, find_zeros(field, np.flatnonzero(half)), half, zone)
+    return Umbilics(
+        position=mesh.points(zeros.triangle, zeros.barycentric),
+        triangle=zeros.triangle,
+        barycentric=zeros.barycentric,
+        index=zeros.index,
+        kind=_kinds(zeros),
+        rays=zeros.rays,
+        triangle_area=triangle_area,
+        area_index=0.5 * np.round(2.0 * area_index),
+        area_size=area_size,
+    )
+
+
+def _areas(triangles: Indices, zone: Indices) -> tuple[Indices, int]:
+    """Return the area that each triangle touches, joined where one touches two, and their count."""
+    at_corner = zone[triangles]
+    area = at_corner.max(axis=1)
+    count = int(zone.max(initial=-1)) + 1
+    second = np.where(at_corner >= 0, at_corner, area[:, None]).min(axis=1)
+    is_bridge = (area >= 0) & (second != area)
+    joined = connected_groups(np.stack([area, second], axis=1)[is_bridge], max(count, 1))
+    if not count:
+        return np.full(len(triangles), -1, dtype=np.int64), 0
+    return np.where(area >= 0, joined[np.maximum(area, 0)], -1), int(joined.max()) + 1
+
+
+def _grouped(field: DirectionField, zeros: Zeros, half: Indices, zone: Indices) -> Zeros:
+    """Return zeros with those that noise cannot tell apart taken together.
+
+    Zeros in one doubtful zone, or in triangles that share a corner, with indices that cancel are
+    none.
+    """
+    triangle = zeros.triangle
+    corner = field.mesh.triangles[triangle]
+    count = field.mesh.sector_count
+    small = np.maximum(-1 - zone, 0)
+    # Zones, sectors and zeros are linked, as items of one list.
+    zones = int(small.max(initial=0)) + 1
+    item = count + zones + np.arange(len(triangle))
+    in_zone = small[corner]
+    links = [np.stack([item[in_zone[:, c] > 0], count + in_zone[in_zone[:, c] > 0, c]], axis=1)
+             for c in range(3)]
+    group = connected_groups(np.concatenate(links), count + zones + len(triangle))[item]
+    names, number = np.unique(group, return_inverse=True)
+    number = number.reshape(-1)
+    total = sum_by_group(number, half[triangle].astype(np.float64), len(names))
+    # Of a group, the zero of its sign with the least strength around stands for all.
+    wrong_sign = half[triangle] * total[number] <= 0.0
+    size = field.strength[corner].max(axis=1)
+    order = np.lexsort((size, wrong_sign, number))
+    first = order[np.flatnonzero(np.diff(number[order], prepend=-1))] if len(order) else order
+    chosen = first[total != 0.0]
+    return zeros.chosen(chosen, 0.5 * total[total != 0.0])
+
+
+def _kinds(zeros: Zeros) -> Indices:
+    """Return the kind of each zero, (u,) int64."""
+    has_three: Flags = (zeros.rays[:, 2] != 0.0).any(axis=1)
+    lemon = np.where(has_three, UmbilicKind.MONSTAR, UmbilicKind.LEMON)
+    kind = np.where(zeros.index > 0.0, lemon, UmbilicKind.STAR)
+    return np.where(np.abs(zeros.index) == 0.5, kind, UmbilicKind.OTHER).astype(np.int64)
