@@ -8,6 +8,10 @@ from bpy.types import Context, Operator
 
 from .bridge.numbers import as_typed, as_typed_angle
 from .geometry.settings import AnalysisSettings, SegmentationSettings, Smoothing
+from .tracing.settings import LineSettings, Plan, families_of
+
+LINE_NAMES = ("families", "thickness", "fit_curves", "fit_tolerance")
+"""Properties of operators that trace lines, which scenes have under the same names."""
 
 
 def adopt_settings(operator: Operator, context: Context, names: tuple[str, ...]) -> None:
@@ -47,6 +51,39 @@ def segmentation_settings(
         panel_size=as_typed(float(_choose(context, operator, "panel_size"))),
         deviation=as_typed(float(_choose(context, operator, "deviation"))),
         min_area=as_typed(float(_choose(context, operator, "min_area"))),
+    )
+
+
+def adopt_kind(operator: Operator, context: Context) -> None:
+    """Fill the kind of lines from the scene where nobody has set it."""
+    if not operator.properties.is_property_set("kind"):
+        operator.kind = context.scene.curvature.line_kind
+
+
+def line_plan(context: Context, operator: Operator | None = None) -> Plan:
+    """Return how to trace lines.
+
+    Raises
+    ------
+    InvalidSettingError
+        If a value makes no sense.
+    """
+    kind = context.scene.curvature.line_kind
+    if operator is not None and operator.properties.is_property_set("kind"):
+        kind = operator.kind
+    smoothing_length = getattr(operator, "smoothing_length", 0.0)
+    return Plan(
+        # The smoothing length of lines is that of their directions, not of the curvature.
+        analysis_settings(context),
+        segmentation_settings(context),
+        LineSettings(
+            families=families_of(kind, str(_choose(context, operator, "families"))),
+            spacing=as_typed(float(_choose(context, operator, "spacing"))),
+            smoothing_length=as_typed(float(smoothing_length)),
+            is_fitted=bool(_choose(context, operator, "fit_curves")),
+            tolerance=as_typed(float(_choose(context, operator, "fit_tolerance"))),
+            thickness=as_typed(float(_choose(context, operator, "thickness"))),
+        ),
     )
 
 

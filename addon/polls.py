@@ -43,4 +43,4 @@ def has_classes(operator: type[Operator], context: Context) -> bool:
 
 def _selected_meshes(context: Context) -> list[Object]:
     objects = [*context.selected_objects, *context.objects_in_mode_unique_data]
-    return [obj for obj in objects if obj.type == "MESH"]
+    return [obj for obj in objects if obj.type == "MESH" or obj.curvature.companion_of]

@@ -12,6 +12,7 @@ from typing import TypeVar
 from bpy.types import Context, Mesh, Object
 
 from .bridge import cache, display, results
+from .bridge.companions import discard_companions
 from .bridge.material import show as show_material
 from .bridge.mode import object_mode
 from .bridge.separation import discard_parts
@@ -43,11 +44,13 @@ _ANALYSIS = 0.7
 class Outcome:
     """What became of the objects of a task.
 
-    `carriers` have the results; `refused` says for each of the others what is wrong with it.
+    `carriers` have the results; `refused` says for each of the others what is wrong with it;
+    `note` says in words what was found.
     """
 
     carriers: list[Object] = field(default_factory=list)
     refused: list[str] = field(default_factory=list)
+    note: str = ""
 
     @property
     def meshes(self) -> list[Mesh]:
@@ -90,10 +93,10 @@ def analyze_objects(
         return reading.analyzed(on_progress)
 
     def write(subject: Subject) -> Object:
-        return _write_analysis(context, subject, settings, _tolerance(subject, panel))
+        return write_analysis(context, subject, settings, tolerance_of(subject, panel))
 
     with object_mode(context):
-        outcome = yield from _for_each(context, objects, settings, compute, write)
+        outcome = yield from for_each(context, objects, settings, compute, write)
         _show(context, outcome, ("GAUSSIAN", "MEAN", "K1", "K2"))
     return outcome
 
@@ -123,18 +126,18 @@ def segment_objects(
 
     def compute(reading: Reading, on_progress: Progress) -> tuple[Subject, Segmentation]:
         subject = reading.analyzed(part_of(on_progress, 0.0, _ANALYSIS))
-        analysis, tolerance = subject.analysis, _tolerance(subject, panel)
+        analysis, tolerance = subject.analysis, tolerance_of(subject, panel)
         return subject, segment(analysis.surface, analysis.curvature, tolerance, panel.min_area)
 
     def write(found: tuple[Subject, Segmentation]) -> Object:
         subject, segmentation = found
-        carrier = _write_analysis(context, subject, settings, segmentation.tolerance)
+        carrier = write_analysis(context, subject, settings, segmentation.tolerance)
         results.write_segmentation(subject, carrier, segmentation)
         display.write_class_colors(carrier.data, context.scene.curvature)
         return carrier
 
     with object_mode(context):
-        outcome = yield from _for_each(context, objects, settings, compute, write)
+        outcome = yield from for_each(context, objects, settings, compute, write)
         _show(context, outcome, ("CLASS", "REGION"))
     return outcome
 
@@ -147,14 +150,14 @@ def clear_objects(context: Context, objects: list[Object]) -> int:
     return cleared
 
 
-def _for_each(
+def for_each(
     context: Context,
     objects: list[Object],
     settings: AnalysisSettings,
     compute: Callable[[Reading, Progress], Found],
     write: Callable[[Found], Object],
 ) -> Steps[Outcome]:
-    """Read and compute one object after the other, then write all.
+    """Read and compute one object after the other, then write all; in Object Mode.
 
     A refusal stops only its own object. Whoever cancels finds everything as it was.
     """
@@ -173,9 +176,10 @@ def _for_each(
     return outcome
 
 
-def _write_analysis(
+def write_analysis(
     context: Context, subject: Subject, settings: AnalysisSettings, tolerance: Tolerance
 ) -> Object:
+    """Write an analysis where it is not stored yet, and return the object that carries it."""
     _drop_results_elsewhere(context, subject)
     carrier = prepare_carrier(subject, context.scene, context.evaluated_depsgraph_get())
     if not results.is_current(carrier.data, subject):
@@ -195,7 +199,8 @@ def _drop_results_elsewhere(context: Context, subject: Subject) -> None:
         results.clear_results(source.data)
 
 
-def _tolerance(subject: Subject, panel: SegmentationSettings) -> Tolerance:
+def tolerance_of(subject: Subject, panel: SegmentationSettings) -> Tolerance:
+    """Return the tolerance of a model, with defaults where the user gave none."""
     return resolve_tolerance(
         panel.panel_size, panel.deviation, subject.analysis.surface.mesh.diagonal
     )
@@ -217,6 +222,6 @@ def _clear(context: Context, obj: Object) -> bool:
     for user in users_of(source.data):
         show_material(user, False)
     had_results = results.clear_results(source.data) if source.data.library is None else False
-    had_parts = discard_parts(source)
+    had_parts = any([discard_parts(source), discard_companions(source)])
     had_copy = discard_carrier(context, source)
     return had_results or had_parts or had_copy

@@ -10,10 +10,13 @@ from .analyze import CURVATURE_OT_analyze
 from .clear import CURVATURE_OT_clear
 from .deliver import CURVATURE_OT_deliver
 from .export_report import CURVATURE_OT_export_report
+from .find_umbilics import CURVATURE_OT_find_umbilics
 from .segment import CURVATURE_OT_segment
 from .select_class import CURVATURE_OT_select_class
 from .separate import CURVATURE_OT_separate
 from .show import CURVATURE_OT_show
+from .trace_lines import CURVATURE_OT_trace_lines
+from .trace_through import CURVATURE_OT_trace_through
 
 register, unregister = bpy.utils.register_classes_factory(
     (
@@ -24,6 +27,9 @@ register, unregister = bpy.utils.register_classes_factory(
         CURVATURE_OT_export_report,
         CURVATURE_OT_deliver,
         CURVATURE_OT_separate,
+        CURVATURE_OT_trace_lines,
+        CURVATURE_OT_trace_through,
+        CURVATURE_OT_find_umbilics,
         CURVATURE_OT_clear,
     )
 )

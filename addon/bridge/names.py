@@ -14,6 +14,9 @@ POINT_TYPE = "curvature_point_type"
 FACE_CLASS = "curvature_class"
 REGION = "curvature_region"
 
+UMBILIC_INDEX = "umbilic_index"
+UMBILIC_KIND = "umbilic_kind"
+
 COLORS = {
     "GAUSSIAN": "Gaussian Curvature",
     "MEAN": "Mean Curvature",

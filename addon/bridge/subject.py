@@ -38,6 +38,8 @@ class Subject:
     analysis : Analysis
     has_base_topology : bool
         Whether the source's modifiers leave its faces as they are.
+    center : (3,) float64
+        In the object's coordinates; meters are counted from here.
     """
 
     source: Object
@@ -45,6 +47,7 @@ class Subject:
     fingerprint: str
     analysis: Analysis
     has_base_topology: bool
+    center: Floats
 
 
 @dataclass(frozen=True)
@@ -57,6 +60,7 @@ class Reading:
     mesh: PolygonMesh
     settings: AnalysisSettings
     has_base_topology: bool
+    center: Floats
 
     def analyzed(self, on_progress: Progress | None = None) -> Subject:
         """Analyze what was read, or take the analysis from the cache; does not touch Blender.
@@ -76,12 +80,13 @@ class Reading:
             self.fingerprint,
             analysis,
             self.has_base_topology,
+            self.center,
         )
 
 
 def source_of(obj: Object) -> Object:
     """Return the object that an object's results belong to: itself, unless it was made by us."""
-    return obj.curvature.source or obj
+    return obj.curvature.source or obj.curvature.companion_of or obj
 
 
 def users_of(mesh: Mesh) -> list[Object]:
@@ -135,7 +140,9 @@ def read_object(
         has_base_topology = _same_topology(mesh, obj.data) and _is_writable(obj.data)
         stored = positions(mesh)
     fingerprint = _fingerprint(stored, polygon_mesh, to_meters, settings)
-    return Reading(obj, to_meters, fingerprint, polygon_mesh, settings, has_base_topology)
+    ends = np.stack([stored.min(axis=0), stored.max(axis=0)]).astype(np.float64)
+    center = 0.5 * (ends[0] + ends[1])
+    return Reading(obj, to_meters, fingerprint, polygon_mesh, settings, has_base_topology, center)
 
 
 def prepare_carrier(subject: Subject, scene: Scene, depsgraph: Depsgraph) -> Object:

@@ -31,6 +31,12 @@ class CURVATURE_PG_object(PropertyGroup):
         name="Part Of",
         description="Object whose class or region this object was made of",
     )
+    companion_of: PointerProperty(
+        type=Object,
+        name="Companion Of",
+        description="Object whose lines, umbilics or hatching this object shows",
+    )
+    role: StringProperty(name="Role", description="What this object shows of its model")
     slots: CollectionProperty(
         type=CURVATURE_PG_slot, name="Slots", description="Materials to bring back"
     )
