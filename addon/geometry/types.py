@@ -19,6 +19,9 @@ Colors = NDArray[np.float32]
 Indices = NDArray[np.int64]
 """Whole numbers that point into another array."""
 
+Complexes = NDArray[np.complex128]
+"""Complex numbers of any shape."""
+
 Flags = NDArray[np.bool_]
 """One truth value per item."""
 

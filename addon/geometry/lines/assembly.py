@@ -4,17 +4,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..types import Flags, Floats, Indices
+from .endings import Arms, Rules
 from .field import DirectionField
 from .lines import CurvatureLines, LineEnd
-from .samples import Samples
+from .samples import Samples, close_pairs
 from .steps import cross, go_straight, start_walkers, unfold
-from .tracing import Arms, Rules
-from .umbilics import Umbilics
 
 #: A line closes if its arms miss each other by no more than this share of its length, or of a side
 #: of a triangle, and of the spacing.
@@ -34,15 +33,15 @@ class _Meetings:
 
 
 def assemble(
-    field: DirectionField, umbilics: Umbilics, state: Arms, rules: Rules, shortest: float
-) -> tuple[CurvatureLines, Indices]:
+    field: DirectionField, state: Arms, samples: Samples, rules: Rules, shortest: float
+) -> CurvatureLines:
     """Return the lines that traced arms form.
 
     Parameters
     ----------
     field : DirectionField
-    umbilics : Umbilics
     state : Arms
+    samples : Samples
         As traced.
     rules : Rules
     shortest : float
@@ -50,40 +49,34 @@ def assemble(
 
     Returns
     -------
-    lines : CurvatureLines
-    seed : (n,) int64
-        Seed of each line.
+    CurvatureLines
+        In the order of their seeds.
     """
-    meetings = _meetings(field, state, rules)
-    samples = state.samples.chosen(
-        (state.samples.arc <= state.cut[state.samples.arm])
-        & ~state.is_removed[state.samples.line]
-        & ((state.samples.arm % 2 == 0) | (state.samples.arc > 0.0))
+    meetings = _meetings(field, state, samples, rules)
+    samples = samples.chosen(
+        (samples.arc <= state.cut[samples.arm])
+        & ~state.is_removed[samples.line]
+        & ((samples.arm % 2 == 0) | (samples.arc > 0.0))
     )
     triangle, barycentric = _closed(field, samples, meetings)
-    del umbilics
     order = np.lexsort((samples.signed_arc, samples.line))
     line = samples.line[order]
     position = samples.position[order]
     step = np.linalg.norm(np.diff(position, axis=0, prepend=position[:1]), axis=1)
     is_double = (np.diff(line, prepend=-1) == 0) & (step < _DOUBLE * field.mesh.edge_length)
-    length = np.bincount(line, np.where(np.diff(line, prepend=-1) == 0, step, 0.0),
-                         len(state.is_removed))
+    length = np.bincount(
+        line, np.where(np.diff(line, prepend=-1) == 0, step, 0.0), len(state.is_removed)
+    )
     is_kept = ~is_double & (length >= shortest)[line]
     order, line = order[is_kept], line[is_kept]
     seed, count = np.unique(line, return_counts=True)
-    rows = order
-    corner = np.stack([2 * seed + 1, 2 * seed], axis=1)
-    return (
-        CurvatureLines(
-            points=field.mesh.points(triangle[rows], barycentric[rows]),
-            triangle=triangle[rows],
-            barycentric=barycentric[rows],
-            start=np.concatenate([[0], np.cumsum(count)]).astype(np.int64),
-            family=_line_family(samples, len(state.is_removed))[seed],
-            ends=state.end[corner],
-        ),
-        seed.astype(np.int64),
+    return CurvatureLines(
+        points=field.mesh.points(triangle[order], barycentric[order]),
+        triangle=triangle[order],
+        barycentric=barycentric[order],
+        start=np.concatenate([[0], np.cumsum(count)]).astype(np.int64),
+        family=_line_family(samples, len(state.is_removed))[seed],
+        ends=state.end[np.stack([2 * seed + 1, 2 * seed], axis=1)],
     )
 
 
@@ -93,9 +86,8 @@ def _line_family(samples: Samples, count: int) -> Indices:
     return family
 
 
-def _meetings(field: DirectionField, state: Arms, rules: Rules) -> _Meetings:
+def _meetings(field: DirectionField, state: Arms, samples: Samples, rules: Rules) -> _Meetings:
     """Return where lines close, cut their arms there; arms that miss each other end instead."""
-    samples = state.samples
     inside = state.closing[samples.line] & ~state.is_removed[samples.line]
     inside &= samples.arc <= state.cut[samples.arm]
     forward = samples.chosen(inside & (samples.arm % 2 == 0))
@@ -123,16 +115,13 @@ def _meetings(field: DirectionField, state: Arms, rules: Rules) -> _Meetings:
     state.cut[2 * found.line[is_closed] + 1] = (
         found.backward[is_closed] - 0.1 * field.mesh.edge_length
     )
-    return _Meetings(*(getattr(found, name)[is_closed]
-                       for name in ("line", "forward", "backward", "miss")))
+    return _Meetings(
+        *(getattr(found, name)[is_closed] for name in ("line", "forward", "backward", "miss"))
+    )
 
 
 def _own_pairs(forward: Samples, backward: Samples, rules: Rules) -> tuple[Indices, Indices]:
     """Return pairs of samples on the two arms of a line that are close, nearest first."""
-    from dataclasses import replace
-
-    from .samples import close_pairs
-
     # What keeps families apart keeps lines apart here.
     one = replace(forward, family=forward.line)
     two = replace(backward, family=backward.line)
@@ -148,9 +137,7 @@ def _end_open(state: Arms, forward: Samples, one: Indices, far: Flags, lines: In
     state.end[both] = LineEnd.NEIGHBOR
 
 
-def _closed(
-    field: DirectionField, samples: Samples, meetings: _Meetings
-) -> tuple[Indices, Floats]:
+def _closed(field: DirectionField, samples: Samples, meetings: _Meetings) -> tuple[Indices, Floats]:
     """Return the samples' places, those of closed lines moved so that the arms meet.
 
     What the arms miss each other by is spread over the whole line, which turns it by no more than

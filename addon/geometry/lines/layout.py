@@ -21,12 +21,14 @@ import numpy as np
 from ..errors import InvalidSettingError
 from ..types import Indices, Progress
 from .assembly import assemble
+from .endings import Rules
 from .field import PRINCIPAL, Family
 from .lines import CurvatureLines, joined_lines, no_lines
-from .samples import Samples, distances, join_samples
+from .samples import Samples, distances, joined
 from .seeding import gap_seeds, guide_seeds, hole_seeds, measured_seeds, ray_seeds, samples_along
+from .seeds import Seeds
 from .tracer import LineField, usable
-from .tracing import Rules, Seeds, trace
+from .tracing import trace
 
 #: Share of the spacing at which a line ends beside another one.
 _NEAREST = 0.5
@@ -54,14 +56,16 @@ class _Layout:
         if not len(seeds):
             return 0
         spacing = self.rules.spacing
-        state = trace(self.lines.field, self.lines.umbilics, seeds, self.samples, self.rules)
-        new, _ = assemble(
-            self.lines.field, self.lines.umbilics, state, self.rules, _SHORTEST * spacing
-        )
-        self.tried = join_samples([self.tried, state.samples.chosen(state.samples.arc == 0.0)])
+        field = self.lines.field
+        state, samples = trace(field, self.lines.umbilics, seeds, self.samples, self.rules)
+        new = assemble(field, state, samples, self.rules, _SHORTEST * spacing)
+        self.tried = joined([self.tried, samples.chosen(samples.arc == 0.0)])
         if new.count:
-            self.samples = join_samples(
-                [self.samples, samples_along(self.lines.field, new, 0.25 * spacing, self.placed.count)]
+            self.samples = joined(
+                [
+                    self.samples,
+                    samples_along(self.lines.field, new, 0.25 * spacing, self.placed.count),
+                ]
             )
             self.placed = joined_lines(self.placed, new)
         return new.count
@@ -129,15 +133,12 @@ def trace_evenly(
     return _sorted(layout.placed)
 
 
-def _guides(
-    lines: LineField, layout: _Layout, families: tuple[Family, ...]
-) -> CurvatureLines:
+def _guides(lines: LineField, layout: _Layout, families: tuple[Family, ...]) -> CurvatureLines:
     """Return lines across the families, of which spacings are measured off."""
     seeds = usable(lines, guide_seeds(lines, families))
     alone = Rules(layout.rules.spacing, layout.rules.nearest, competes=False)
-    state = trace(lines.field, lines.umbilics, seeds, lines.no_samples, alone)
-    new, _ = assemble(lines.field, lines.umbilics, state, alone, layout.rules.spacing)
-    return new
+    state, samples = trace(lines.field, lines.umbilics, seeds, lines.no_samples, alone)
+    return assemble(lines.field, state, samples, alone, layout.rules.spacing)
 
 
 def _sorted(placed: CurvatureLines) -> CurvatureLines:

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..types import Floats, Indices
+from ..types import Complexes, Floats, Indices
 from .field import DirectionField
-from .transport import Complex
 
 #: Barycentric coordinates of a zero that lies outside of its triangle by rounding.
 _INSIDE = 1e-3
@@ -56,10 +55,10 @@ def find_zeros(field: DirectionField, triangle: Indices) -> Zeros:
     )
 
 
-def _in_plane(field: DirectionField, triangle: Indices) -> Complex:
+def _in_plane(field: DirectionField, triangle: Indices) -> Complexes:
     """Return the deviators at the corners as seen in the frames of the triangles, (u, 3)."""
     corners = np.eye(3)
-    columns: list[Complex] = []
+    columns: list[Complexes] = []
     for corner in corners:
         family = np.ones(len(triangle), dtype=np.int64)
         place = np.broadcast_to(corner, (len(triangle), 3))
@@ -72,7 +71,7 @@ def _in_plane(field: DirectionField, triangle: Indices) -> Complex:
     return np.stack(columns, axis=1)
 
 
-def _linear_zero(values: Complex) -> Floats:
+def _linear_zero(values: Complexes) -> Floats:
     """Return the barycentric coordinates where linear fields vanish, (u, 3)."""
     rows = np.stack([values.real, values.imag, np.ones(values.shape)], axis=1)
     scale = np.maximum(np.abs(values).max(axis=1, initial=0.0), 1e-300)
@@ -86,8 +85,8 @@ def _linear_zero(values: Complex) -> Floats:
 
 
 def _derivatives(
-    field: DirectionField, triangle: Indices, values: Complex
-) -> tuple[Complex, Complex]:
+    field: DirectionField, triangle: Indices, values: Complexes
+) -> tuple[Complexes, Complexes]:
     """Return a and b of the field a z + b z* around its zero, z in the triangle's frame."""
     frame, gradient = field.mesh.frame[triangle], field.mesh.gradient[triangle]
     by_x = np.einsum("uc,ucx,ux->u", values, gradient, frame[:, 0])
@@ -95,7 +94,7 @@ def _derivatives(
     return 0.5 * (by_x - 1j * by_y), 0.5 * (by_x + 1j * by_y)
 
 
-def _ray_angles(a: Complex, b: Complex) -> Floats:
+def _ray_angles(a: Complexes, b: Complexes) -> Floats:
     """Return the angles in which lines of the first family leave the zeros, (u, 3), NaN for none.
 
     A line leaves straight at the angle t where the field's angle is 2t: where a exp(-it) +
@@ -120,6 +119,6 @@ def _ray_angles(a: Complex, b: Complex) -> Floats:
     return angles
 
 
-def _radial(a: Complex, b: Complex, angle: Floats) -> Complex:
+def _radial(a: Complexes, b: Complexes, angle: Floats) -> Complexes:
     """Return the field on a circle as seen from its center, (u, n)."""
     return a[:, None] * np.exp(-1j * angle) + b[:, None] * np.exp(-3j * angle)

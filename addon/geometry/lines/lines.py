@@ -9,7 +9,7 @@ from enum import IntEnum
 
 import numpy as np
 
-from ..types import Floats, Indices
+from ..types import Flags, Floats, Indices
 from .triangulation import Triangulation
 
 
@@ -30,6 +30,8 @@ class LineEnd(IntEnum):
     """It came too close to another line of its family, or to itself."""
     PARABOLIC = 6
     """An asymptotic line at a parabolic curve, beyond which there is none."""
+    FOLD = 7
+    """Where the mesh folds over, so that it does not show which way the surface goes on."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +69,7 @@ class CurvatureLines:
         return len(self.family)
 
     @property
-    def is_closed(self) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    def is_closed(self) -> Flags:
         """(n,) lines that close on themselves."""
         return self.ends[:, 0] == LineEnd.CLOSED
 
@@ -110,7 +112,8 @@ class CurvatureLines:
         """Return some of the lines, in the given order."""
         counts = np.diff(self.start)[lines]
         start = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
-        rows = np.arange(start[-1]) + np.repeat(self.start[:-1][lines] - start[:-1], counts)
+        shift = np.repeat(self.start[:-1][lines] - start[:-1], counts)
+        rows = np.arange(int(start[-1])) + shift
         return CurvatureLines(
             self.points[rows],
             self.triangle[rows],

@@ -13,9 +13,9 @@ from dataclasses import replace
 import numpy as np
 
 from ..groups import connected_groups, sum_by_group
-from ..types import Flags, Floats, Graph, Indices
+from ..types import Complexes, Flags, Floats, Graph, Indices
 from .field import DirectionField
-from .transport import Complex, Transport
+from .transport import Transport
 
 #: Smoothing length over the diagonal where uncertainty and strength are equal (measured on tori,
 #: catenoids, ellipsoids, paraboloids with noise of 0.5 % of the diagonal).
@@ -128,14 +128,16 @@ def _filled(field: DirectionField, transport: Transport, is_open: Flags) -> Dire
     return field.with_deviator(deviator)
 
 
-def _solve(matrix: Graph, weight: Floats, target: Complex, guess: Complex) -> Complex:
+def _solve(matrix: Graph, weight: Floats, target: Complexes, guess: Complexes) -> Complexes:
     """Solve (matrix + diagonal of weights) x = target by conjugate gradients."""
-    from scipy.sparse import diags_array
     from scipy.sparse.linalg import cg
 
-    system = (matrix + diags_array(weight)).tocsr()
-    scale = diags_array(1.0 / np.maximum(system.diagonal().real, 1e-300))
-    return np.asarray(cg(system, target, x0=guess, rtol=1e-5, maxiter=1000, M=scale)[0])
+    # Scaled so that the diagonal is one, which makes large and small triangles converge alike.
+    scale = 1.0 / np.sqrt(np.maximum(matrix.diagonal().real + weight, 1e-300))
+    system = matrix.multiply(scale[:, None]).multiply(scale[None, :]).tocsr()
+    system.setdiag(1.0)
+    found: Graph = cg(system, scale * target, x0=guess / scale, rtol=1e-5, maxiter=1000)
+    return np.asarray(scale * found[0], dtype=np.complex128)
 
 
 def with_uncertainty(field: DirectionField, share: float) -> DirectionField:

@@ -5,11 +5,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
+from typing import Self, TypeVar
 
 import numpy as np
 
-from ..types import Floats, Indices
+from ..types import Flags, Floats, Indices
 from .field import DirectionField
+
+Kind = TypeVar("Kind", bound="Trail")
 
 #: Normals count as positions this many spacings long: the far side of a thin shell is far away.
 _NORMAL = 0.5
@@ -18,8 +21,8 @@ _FAMILY = 1e3
 
 
 @dataclass(frozen=True)
-class Samples:
-    """Points of lines in the order in which they were reached.
+class Trail:
+    """Places that lines went through, in the order in which they were reached.
 
     Parameters
     ----------
@@ -29,12 +32,8 @@ class Samples:
         Way from the seed in meters.
     triangle : (p,) int64
     barycentric : (p, 3) float64
-    position : (p, 3) float64
-        In meters, from the middle of the bounding box.
-    normal : (p, 3) float64
-        Of any length.
     heading : (p, 3) float64
-        Unit direction in which the point was reached.
+        Unit direction in which the place was reached.
     family : (p,) int64
     """
 
@@ -42,28 +41,42 @@ class Samples:
     arc: Floats
     triangle: Indices
     barycentric: Floats
-    position: Floats
-    normal: Floats
     heading: Floats
     family: Indices
 
     def __len__(self) -> int:
-        """Return the number of points."""
+        """Return the number of places."""
         return len(self.arm)
 
     @property
     def line(self) -> Indices:
-        """(p,) line of each point."""
+        """(p,) line of each place."""
         return self.arm // 2
 
     @property
     def signed_arc(self) -> Floats:
         """(p,) way along the line, negative behind the seed."""
-        return np.where(self.arm % 2 == 0, self.arc, -self.arc)
+        return np.where(self.arm % 2 == 0, 1.0, -1.0) * self.arc
 
-    def chosen(self, items: object) -> Samples:
-        """Return some of the points: by numbers or flags."""
-        return Samples(*(getattr(self, each.name)[items] for each in fields(self)))
+    def chosen(self, items: Indices | Flags) -> Self:
+        """Return some of the places: by numbers or flags."""
+        return type(self)(*(getattr(self, each.name)[items] for each in fields(self)))
+
+
+@dataclass(frozen=True)
+class Samples(Trail):
+    """Places with their positions.
+
+    Parameters
+    ----------
+    position : (p, 3) float64
+        In meters, from the middle of the bounding box.
+    normal : (p, 3) float64
+        Of any length.
+    """
+
+    position: Floats
+    normal: Floats
 
     def keys(self, spacing: float) -> Floats:
         """Return points whose distance is that of the samples on their surface, (p, 7)."""
@@ -78,34 +91,28 @@ class Samples:
         )
 
 
-def take_samples(
-    field: DirectionField,
-    arm: Indices,
-    arc: Floats,
-    triangle: Indices,
-    barycentric: Floats,
-    heading: Floats,
-    family: Indices,
-) -> Samples:
-    """Return samples with their positions and normals looked up."""
-    corner = field.mesh.triangles[triangle]
+def take_samples(field: DirectionField, trail: Trail) -> Samples:
+    """Return places with their positions and normals looked up."""
+    corner = field.mesh.triangles[trail.triangle]
+    weight = trail.barycentric
     return Samples(
-        arm=arm.copy(),
-        arc=arc.copy(),
-        triangle=triangle.copy(),
-        barycentric=barycentric.copy(),
-        position=np.einsum("nc,ncx->nx", barycentric, field.mesh.position[corner]),
-        normal=np.einsum("nc,ncx->nx", barycentric, field.normal[corner]),
-        heading=heading.copy(),
-        family=family.copy(),
+        *(getattr(trail, each.name) for each in fields(Trail)),
+        position=np.einsum("nc,ncx->nx", weight, field.mesh.position[corner]),
+        normal=np.einsum("nc,ncx->nx", weight, field.normal[corner]),
     )
 
 
-def join_samples(parts: list[Samples]) -> Samples:
-    """Return several sets of samples in one."""
-    return Samples(
-        *(np.concatenate([getattr(part, each.name) for part in parts]) for each in fields(Samples))
-    )
+def joined(parts: list[Kind]) -> Kind:
+    """Return several sets of places or samples in one."""
+    kind = type(parts[0])
+    names = [each.name for each in fields(kind)]
+    return kind(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))
+
+
+def no_trail() -> Trail:
+    """Return no places."""
+    none = np.zeros(0, dtype=np.int64)
+    return Trail(none, np.zeros(0), none, np.zeros((0, 3)), np.zeros((0, 3)), none)
 
 
 def close_pairs(

@@ -4,16 +4,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..groups import connected_groups, sum_by_group
 from ..types import Floats, Indices
 from .assembly import shifted
-from .field import ASYMPTOTIC, DirectionField, Family
+from .field import DirectionField, Family
 from .lines import CurvatureLines
-from .samples import Samples, close_pairs, distances, take_samples
-from .tracer import LineField
-from .tracing import Seeds, make_seeds
+from .samples import Samples, Trail, close_pairs, distances, take_samples
+from .seeds import Seeds, joined_seeds, make_seeds
+from .tracer import LineField, is_usable
 
 #: The family that crosses each one.
 _ACROSS = {
@@ -24,8 +26,8 @@ _ACROSS = {
 }
 #: A gap up to this many spacings wide takes one line, in its middle.
 _ONE = 2.5
-#: Parts of a surface smaller than this many squared spacings get no guide of their own.
-_PART = 4.0
+#: A place beside a line, not yet put on the surface, is free this share of the spacing from lines.
+_GUESS = 0.6
 #: Smallest strength, over that of the typical sector, where guides start.
 _STRONG = 0.5
 
@@ -55,12 +57,14 @@ def samples_along(
     is_new[lines.start[1:] - 1] = True
     return take_samples(
         field,
-        2 * (first_line + line[is_new]),
-        arc[is_new],
-        lines.triangle[is_new],
-        lines.barycentric[is_new],
-        ahead[is_new],
-        lines.family[line][is_new],
+        Trail(
+            2 * (first_line + line[is_new]),
+            arc[is_new],
+            lines.triangle[is_new],
+            lines.barycentric[is_new],
+            ahead[is_new],
+            lines.family[line][is_new],
+        ),
     )
 
 
@@ -70,7 +74,8 @@ def ray_seeds(lines: LineField, families: tuple[Family, ...], spacing: float) ->
     has_ray = (umbilics.rays != 0.0).any(axis=2) & (np.abs(umbilics.index) == 0.5)[:, None]
     umbilic, number = np.nonzero(has_ray)
     ray = umbilics.rays[umbilic, number]
-    parts: list[Seeds] = []
+    none = np.zeros(0, dtype=np.int64)
+    parts = [make_seeds(none, np.zeros((0, 3)), none)]
     for family, sign in ((Family.FIRST, 1.0), (Family.SECOND, -1.0)):
         if family not in families:
             continue
@@ -91,13 +96,17 @@ def ray_seeds(lines: LineField, families: tuple[Family, ...], spacing: float) ->
                 sign * ray,
             )
         )
-    return _joined(parts)
+    return joined_seeds(parts)
 
 
 def guide_seeds(lines: LineField, families: tuple[Family, ...]) -> Seeds:
     """Return a seed in the middle of every smooth part, for lines across the families."""
     field, mesh = lines.field, lines.field.mesh
-    is_open = lines.umbilics.triangle_area < 0
+    strength = field.strength
+    if min(families) >= Family.ASYMPTOTIC_LEFT:
+        strength = np.sqrt(np.maximum(strength**2 - field.mean**2, 0.0))
+    strength = strength[mesh.triangles].min(axis=1)
+    is_open = (lines.umbilics.triangle_area < 0) & (strength > 0.0)
     joined = (mesh.neighbor >= 0) & is_open[:, None] & is_open[mesh.neighbor]
     triangle, side = np.nonzero(joined)
     part = connected_groups(
@@ -106,10 +115,13 @@ def guide_seeds(lines: LineField, families: tuple[Family, ...]) -> Seeds:
     count = int(part.max(initial=-1)) + 1
     area = sum_by_group(part, mesh.double_area, count)
     middle = mesh.position[mesh.triangles].mean(axis=1)
-    center = np.stack(
-        [sum_by_group(part, mesh.double_area * middle[:, axis], count) for axis in range(3)], axis=1
-    ) / np.maximum(area, 1e-300)[:, None]
-    strength = field.strength[mesh.triangles].min(axis=1)
+    center = (
+        np.stack(
+            [sum_by_group(part, mesh.double_area * middle[:, axis], count) for axis in range(3)],
+            axis=1,
+        )
+        / np.maximum(area, 1e-300)[:, None]
+    )
     typical = sum_by_group(part, mesh.double_area * strength, count) / np.maximum(area, 1e-300)
     away = np.linalg.norm(middle - center[part], axis=1)
     is_weak = strength < _STRONG * typical[part]
@@ -164,7 +176,11 @@ def gap_seeds(
     both = step.chosen(np.tile(np.arange(len(step)), 2))
     left = side[:, None] * np.cross(both.normal, both.heading)
     left /= np.linalg.norm(left, axis=1)[:, None] + 1e-300
-    left = _crossing(field, both, left)
+    # Most have a neighbor already: that shows without walking there.
+    guess = replace(both, position=both.position + spacing * left)
+    is_open = distances(guess, samples, spacing, _GUESS * spacing) == np.inf
+    run_end = np.diff(both.line, prepend=-1) != 0
+    both, left = both.chosen(is_open), left[is_open]
     found, gone = _moved(field, both, left, np.full(len(both), spacing))
     gap = _gaps(found, samples, gone, spacing)
     is_narrow = gap < _ONE * spacing
@@ -173,7 +189,8 @@ def gap_seeds(
     is_there = np.linalg.norm(found.position - both.position, axis=1) > 0.7 * way
     is_free = distances(found, samples, spacing, 0.85 * spacing) == np.inf
     is_free &= is_there & (lines.umbilics.triangle_area[found.triangle] < 0)
-    run = np.cumsum((np.diff(is_free, prepend=False)) | (np.diff(both.line, prepend=-1) != 0))
+    number = np.cumsum(run_end | ~is_open)[is_open]
+    run = np.cumsum(np.diff(is_free, prepend=False) | (np.diff(number, prepend=-1) != 0))
     rows = np.flatnonzero(is_free)
     names, first, size = np.unique(run[rows], return_index=True, return_counts=True)
     middle = rows[first + size // 2]
@@ -199,12 +216,13 @@ def hole_seeds(
     family = np.repeat(np.array([int(each) for each in families], dtype=np.int64), len(inside))
     barycentric = np.full((len(triangle), 3), 1.0 / 3.0)
     none = np.zeros((len(triangle), 3))
-    all_of_them = take_samples(
-        field, 2 * np.arange(len(triangle)), np.zeros(len(triangle)), triangle, barycentric, none,
-        family,
-    )  # fmt: skip
+    place = Trail(
+        2 * np.arange(len(triangle)), np.zeros(len(triangle)), triangle, barycentric, none, family
+    )
+    all_of_them = take_samples(field, place)
     distance = distances(all_of_them, samples, spacing, 4.0 * spacing)
     far = np.flatnonzero(distance > spacing)
+    far = far[is_usable(lines, triangle[far], barycentric[far], family[far])]
     far = far[np.argsort(-np.minimum(distance[far], 1e30), kind="stable")]
     far = far[_apart(all_of_them.chosen(far), spacing)]
     chosen = all_of_them.chosen(far)
@@ -224,24 +242,13 @@ def _course(lines: CurvatureLines) -> tuple[Floats, Floats]:
     return arc, ahead / (np.linalg.norm(ahead, axis=1)[:, None] + 1e-300)
 
 
-def _crossing(field: DirectionField, samples: Samples, left: Floats) -> Floats:
-    """Return the directions to one side along the family that crosses each line."""
-    across = np.zeros(1 + max(Family), dtype=np.int64)
-    for one, other in _ACROSS.items():
-        across[one] = other
-    is_oblique = samples.family >= ASYMPTOTIC[0]
-    if not is_oblique.any():
-        return left
-    return left
-
-
 def _moved(
     field: DirectionField, samples: Samples, heading: Floats, way: Floats
 ) -> tuple[Samples, Floats]:
     """Return samples moved straight over the surface, and the direction they went."""
     triangle, barycentric = shifted(field, samples.triangle, samples.barycentric, heading, way)
     found = take_samples(
-        field, samples.arm, samples.arc, triangle, barycentric, heading, samples.family
+        field, Trail(samples.arm, samples.arc, triangle, barycentric, heading, samples.family)
     )
     gone = found.position - samples.position
     return found, gone / (np.linalg.norm(gone, axis=1)[:, None] + 1e-300)
@@ -264,13 +271,3 @@ def _apart(samples: Samples, spacing: float) -> Indices:
     is_kept = np.ones(len(samples), dtype=np.bool_)
     is_kept[sample[other < sample]] = False
     return np.flatnonzero(is_kept)
-
-
-def _joined(parts: list[Seeds]) -> Seeds:
-    return Seeds(
-        np.concatenate([part.triangle for part in parts]),
-        np.concatenate([part.barycentric for part in parts]),
-        np.concatenate([part.family for part in parts]),
-        np.concatenate([part.umbilic for part in parts]),
-        np.concatenate([part.heading for part in parts]),
-    )

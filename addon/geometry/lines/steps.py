@@ -12,8 +12,10 @@ from ..types import Flags, Floats, Indices
 from .field import DirectionField
 from .triangulation import Triangulation
 
-#: Most turn of a line in half a step, in radians; more is taken in shorter steps.
-_TURN = 0.12
+#: Most turn of a line from one step to the next, in radians; more is taken in shorter steps, but
+#: not in shorter ones than this share.
+_TURN, _LEAST = 0.2, 0.1
+_STRAIGHT = float(np.cos(_TURN))
 #: A middle direction that leaves the triangle in less than this share of the expected way grazes a
 #: side; there the first direction leads into the triangle.
 _GRAZING = 0.2
@@ -77,8 +79,9 @@ def start_walkers(
 def follow(field: DirectionField, walkers: Walkers, reach: Floats) -> tuple[Floats, Indices]:
     """Move walkers along the field: to the side of their triangle, or less far.
 
-    The step is straight, in the direction of the field in its middle, which errs by the third power
-    of its length. Where the field turns much the step is shorter.
+    The step is straight, in the direction of the field in its middle, which is found by going on as
+    before; that errs by the third power of its length. Where the field turns much the step is
+    shorter.
 
     Parameters
     ----------
@@ -97,40 +100,33 @@ def follow(field: DirectionField, walkers: Walkers, reach: Floats) -> tuple[Floa
     """
     triangle, start = walkers.triangle, walkers.barycentric
     gradient = field.mesh.gradient[triangle]
-    tangent, course, _ = field.evaluate(triangle, start, walkers.family)
-    tangent, course = _aligned(tangent, course, walkers.heading)
-    first_rate = np.einsum("ncx,nx->nc", gradient, course)
-    free, first_side = _exit(start, first_rate)
+    # The gradients lie in the triangle, so that this goes along the heading as seen from above.
+    guess = np.einsum("ncx,nx->nc", gradient, walkers.heading)
+    free = _exit(start, guess)[0]
     length = np.minimum(free, reach)
-    middle = start + (0.5 * length)[:, None] * first_rate
-    half_tangent, half_course, _ = field.evaluate(triangle, middle, walkers.family)
-    half_tangent, half_course = _aligned(half_tangent, half_course, tangent)
-    cosine = np.einsum("nx,nx->n", course, half_course)
-    turn = np.arccos(np.clip(cosine, -1.0, 1.0))
-    shrink = np.minimum(1.0, _TURN / np.maximum(turn, 1e-12))
-    bent = np.flatnonzero(shrink < 1.0)
+    middle = start + (0.5 * length)[:, None] * guess
+    tangent, course, _ = field.evaluate(triangle, middle, walkers.family)
+    tangent, course = _aligned(tangent, course, walkers.heading)
+    cosine = np.einsum("nx,nx->n", tangent, walkers.heading)
+    bent = np.flatnonzero((cosine < _STRAIGHT) & (length > 0.0))
     if len(bent):
-        length[bent] *= shrink[bent]
-        middle = start[bent] + (0.5 * length[bent])[:, None] * first_rate[bent]
-        again_tangent, again_course, _ = field.evaluate(
-            triangle[bent], middle, walkers.family[bent]
-        )
-        half_tangent[bent], half_course[bent] = _aligned(again_tangent, again_course, tangent[bent])
-    rate = np.einsum("ncx,nx->nc", gradient, half_course)
+        turn = np.arccos(np.clip(cosine[bent], -1.0, 1.0))
+        length[bent] *= np.maximum(_TURN / turn, _LEAST)
+        middle = start[bent] + (0.5 * length[bent])[:, None] * guess[bent]
+        again = field.evaluate(triangle[bent], middle, walkers.family[bent])
+        tangent[bent], course[bent] = _aligned(again[0], again[1], walkers.heading[bent])
+    rate = np.einsum("ncx,nx->nc", gradient, course)
     way, side = _exit(start, rate)
-    is_short = (shrink < 1.0) | (reach < free)
-    stops = is_short & (length < way)
-    way = np.where(stops, length, way)
-    side = np.where(stops, -1, side)
+    is_short = reach < free
+    is_short[bent] = True
     # Along a side both directions may point out, each into the other triangle: go by the first.
     grazes = (way < _GRAZING * length) & (length > 0.0)
-    way = np.where(grazes, 0.5 * length, way)
-    side = np.where(grazes, -1, side)
-    rate = np.where(grazes[:, None], first_rate, rate)
-    del first_side
-    end = start + way[:, None] * rate
-    walkers.barycentric = _on_side(end, side)
-    walkers.heading = np.where(grazes[:, None], tangent, half_tangent)
+    stops = grazes | (is_short & (length < way))
+    way = np.where(stops, np.where(grazes, 0.5 * length, length), way)
+    side = np.where(stops, -1, side)
+    rate = np.where(grazes[:, None], guess, rate)
+    walkers.barycentric = _on_side(start + way[:, None] * rate, side)
+    walkers.heading = tangent
     _unstick(walkers, way, field.mesh.edge_length)
     return way, side
 
@@ -199,11 +195,9 @@ def unfold(mesh: Triangulation, walkers: Walkers, side: Indices) -> None:
     triangle = walkers.triangle[here]
     inward = mesh.gradient[triangle, np.argmin(walkers.barycentric[here], axis=1)]
     inward = inward / np.sqrt((inward**2).sum(axis=1) + 1e-300)[:, None]
-    along = np.cross(mesh.frame[triangle, 2], inward)
+    along: Floats = np.cross(mesh.frame[triangle, 2], inward)
     part = np.clip(np.einsum("nx,nx->n", walkers.heading[here], along), -1.0, 1.0)
-    walkers.heading[here] = (
-        part[:, None] * along + np.sqrt(1.0 - part * part)[:, None] * inward
-    )
+    walkers.heading[here] = part[:, None] * along + np.sqrt(1.0 - part * part)[:, None] * inward
 
 
 def _exit(start: Floats, rate: Floats) -> tuple[Floats, Indices]:

@@ -11,13 +11,15 @@ import numpy as np
 
 from ..curvature import Curvature
 from ..surface import Surface
-from ..types import Floats, Indices
+from ..types import Flags, Floats, Indices
 from .assembly import assemble
+from .endings import Rules
 from .field import PRINCIPAL, DirectionField, Family, build_direction_field
 from .lines import CurvatureLines
 from .refinement import bridged, smoothed, with_uncertainty
-from .samples import Samples, take_samples
-from .tracing import Rules, Seeds, make_seeds, trace
+from .samples import Samples, no_trail, take_samples
+from .seeds import Seeds, make_seeds
+from .tracing import trace
 from .transport import build_transport
 from .umbilics import Umbilics, find_umbilics
 
@@ -44,9 +46,7 @@ class LineField:
     @cached_property
     def no_samples(self) -> Samples:
         """Samples of no line."""
-        none = np.zeros(0, dtype=np.int64)
-        empty, vectors = np.zeros(0), np.zeros((0, 3))
-        return take_samples(self.field, none, empty, none, vectors, vectors, none)
+        return take_samples(self.field, no_trail())
 
 
 def build_line_field(
@@ -104,12 +104,16 @@ def trace_from(
         np.repeat(np.array(families, dtype=np.int64), len(triangle)),
     )
     seeds = usable(lines, seeds)
-    state = trace(lines.field, lines.umbilics, seeds, lines.no_samples, rules)
-    return assemble(lines.field, lines.umbilics, state, rules, 0.0)[0]
+    state, samples = trace(lines.field, lines.umbilics, seeds, lines.no_samples, rules)
+    return assemble(lines.field, state, samples, rules, 0.0)
 
 
 def usable(lines: LineField, seeds: Seeds) -> Seeds:
     """Return the seeds at which there is a direction."""
-    strength = lines.field.evaluate(seeds.triangle, seeds.barycentric, seeds.family)[2]
-    outside = lines.umbilics.triangle_area[seeds.triangle] < 0
-    return seeds.chosen((strength > 0.0) & outside)
+    return seeds.chosen(is_usable(lines, seeds.triangle, seeds.barycentric, seeds.family))
+
+
+def is_usable(lines: LineField, triangle: Indices, barycentric: Floats, family: Indices) -> Flags:
+    """Return the points at which there is a direction, (n,) bool."""
+    strength = lines.field.evaluate(triangle, barycentric, family)[2]
+    return (strength > 0.0) & (lines.umbilics.triangle_area[triangle] < 0)

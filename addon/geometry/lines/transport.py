@@ -15,10 +15,8 @@ import numpy as np
 
 from ..engine.normals import tangent_frame
 from ..groups import sum_by_group
-from ..types import Floats, Graph, Indices
+from ..types import Complexes, Flags, Floats, Graph
 from .triangulation import Triangulation
-
-Complex = np.ndarray[tuple[int, ...], np.dtype[np.complex128]]
 
 #: Least and largest cotangent weight of a side: slivers must not tear or dominate the smoothing.
 _WEIGHTS = (0.05, 10.0)
@@ -62,7 +60,7 @@ class Transport:
         np.add.at(angle.reshape(-1), owner[is_inner], missing[is_inner])
         return angle.sum(axis=1) - np.pi
 
-    def turn(self, deviator: Complex) -> Floats:
+    def turn(self, deviator: Complexes) -> Floats:
         """Return by how much a deviator turns along each side, (t, 3) float64 in radians, ±pi.
 
         Entry c belongs to the side from corner c to the next. The two triangles of a side see
@@ -74,7 +72,8 @@ class Transport:
         at_end = deviator[end] * np.exp(-2j * np.roll(self.previous_angle, -1, axis=1))
         is_forward = start < end
         quotient = np.where(is_forward, at_end * at_start.conj(), at_start * at_end.conj())
-        return np.where(is_forward, 1.0, -1.0) * np.angle(quotient)
+        angle = np.arctan2(quotient.imag, quotient.real)
+        return np.where(is_forward, angle, -angle)
 
     def laplacian(self) -> Graph:
         """Return the matrix of the squared difference of neighbors' deviators, (s, s) complex.
@@ -91,9 +90,9 @@ class Transport:
         i, j = start.ravel(), end.ravel()
         entries = np.concatenate([weight, weight, -weight * carried.conj(), -weight * carried])
         rows, columns = np.concatenate([i, j, i, j]), np.concatenate([i, j, j, i])
-        return csr_matrix((entries, (rows, columns)), shape=(mesh.sector_count,) * 2)
+        return csr_matrix((entries, (rows, columns)), shape=(mesh.sector_count, mesh.sector_count))
 
-    def _on_outline(self) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    def _on_outline(self) -> Flags:
         """Return the sectors on rims and creases, (s,) bool."""
         mesh = self.mesh
         is_open = mesh.neighbor < 0

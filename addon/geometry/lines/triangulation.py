@@ -50,15 +50,16 @@ class Triangulation:
     def frame(self) -> Floats:
         """(t, 3, 3) right-handed orthonormal rows: along side 2, across it, normal."""
         a, b, c = (self.position[self.triangles[:, i]] for i in range(3))
-        normal = np.cross(b - a, c - a)
-        length = np.linalg.norm(normal, axis=1)
+        normal: Floats = np.cross(b - a, c - a)
+        length = np.sqrt((normal**2).sum(axis=1))
         first = b - a
-        size = np.linalg.norm(first, axis=1)
+        size = np.sqrt((first**2).sum(axis=1))
         first = first / np.where(size > 0.0, size, 1.0)[:, None]
         first[size == 0.0] = (1.0, 0.0, 0.0)
         normal = normal / np.where(length > 0.0, length, 1.0)[:, None]
         normal[length == 0.0] = _across(first[length == 0.0])
-        return np.stack([first, np.cross(normal, first), normal], axis=1)
+        across: Floats = np.cross(normal, first)
+        return np.stack([first, across, normal], axis=1)
 
     @cached_property
     def gradient(self) -> Floats:

@@ -104,8 +104,11 @@ def find_umbilics(field: DirectionField, transport: Transport, zone: Indices) ->
     triangle_area, area_count = _areas(mesh.triangles, zone)
     is_inside = triangle_area >= 0
     area_index = sum_by_group(triangle_area[is_inside], index[is_inside], area_count)
-    area_size = 0.5 * sum_by_group(triangle_area[is_inside], mesh.double_area[is_inside], area_count)
-    half = np.where(is_inside, 0, np.round(2.0 * index)).astype(np.int64)
+    area_size = 0.5 * sum_by_group(
+        triangle_area[is_inside], mesh.double_area[is_inside], area_count
+    )
+    half = np.round(2.0 * index).astype(np.int64)
+    half[is_inside] = 0
     zeros = _grouped(field, find_zeros(field, np.flatnonzero(half)), half, zone)
     return Umbilics(
         position=mesh.points(zeros.triangle, zeros.barycentric),
@@ -147,8 +150,10 @@ def _grouped(field: DirectionField, zeros: Zeros, half: Indices, zone: Indices) 
     zones = int(small.max(initial=0)) + 1
     item = count + zones + np.arange(len(triangle))
     in_zone = small[corner]
-    links = [np.stack([item[in_zone[:, c] > 0], count + in_zone[in_zone[:, c] > 0, c]], axis=1)
-             for c in range(3)]
+    links = [
+        np.stack([item[in_zone[:, c] > 0], count + in_zone[in_zone[:, c] > 0, c]], axis=1)
+        for c in range(3)
+    ]
     group = connected_groups(np.concatenate(links), count + zones + len(triangle))[item]
     names, number = np.unique(group, return_inverse=True)
     number = number.reshape(-1)
