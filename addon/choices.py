@@ -4,10 +4,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from bpy.types import Context, Operator
 
 from .bridge.numbers import as_typed, as_typed_angle
 from .geometry.settings import AnalysisSettings, SegmentationSettings, Smoothing
+from .tracing.hatching import HatchSettings
 from .tracing.settings import LineSettings, Plan, families_of
 
 LINE_NAMES = ("families", "thickness", "fit_curves", "fit_tolerance")
@@ -85,6 +88,27 @@ def line_plan(context: Context, operator: Operator | None = None) -> Plan:
             thickness=as_typed(float(_choose(context, operator, "thickness"))),
         ),
     )
+
+
+def adopt_hatching(operator: Operator, context: Context) -> None:
+    """Fill properties of a hatching that nobody has set from the scene."""
+    for name in ("tone", "spacing", "light"):
+        if not operator.properties.is_property_set(name):
+            setattr(operator, name, getattr(context.scene.curvature, f"hatch_{name}"))
+
+
+def hatch_settings(context: Context, operator: Operator) -> HatchSettings:
+    """Return how to hatch: what an operator was told, else the scene's settings."""
+
+    def told(name: str) -> Any:
+        is_told = operator.properties.is_property_set(name)
+        if is_told:
+            return getattr(operator, name)
+        return getattr(context.scene.curvature, f"hatch_{name}")
+
+    spacing = as_typed(float(told("spacing") or context.scene.curvature.hatch_spacing))
+    x, y, z = (float(part) for part in told("light"))
+    return HatchSettings(tone=str(told("tone")), spacing=spacing, light=(x, y, z))
 
 
 def _choose(context: Context, operator: Operator | None, name: str) -> str | float:

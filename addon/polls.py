@@ -20,6 +20,17 @@ def has_mesh(operator: type[Operator], context: Context) -> bool:
     return True
 
 
+def has_active_mesh(operator: type[Operator], context: Context) -> bool:
+    """Ask for an active mesh object in Object or Edit Mode."""
+    if not has_mesh(operator, context):
+        return False
+    active = context.object
+    if active is None or not (active.type == "MESH" or active.curvature.companion_of):
+        operator.poll_message_set("Make a mesh object the active one")
+        return False
+    return True
+
+
 def has_results(operator: type[Operator], context: Context) -> bool:
     """Ask for an analyzed mesh somewhere in the scene."""
     if context.mode not in {"OBJECT", "EDIT_MESH"}:
@@ -37,6 +48,17 @@ def has_classes(operator: type[Operator], context: Context) -> bool:
         return False
     if not any(obj.data.curvature.is_segmented for obj in display.analyzed_objects(context.scene)):
         operator.poll_message_set("Segment the model first")
+        return False
+    return True
+
+
+def has_lines(operator: type[Operator], context: Context) -> bool:
+    """Ask for a selected mesh, and curvature lines in the scene."""
+    if not has_mesh(operator, context):
+        return False
+    # An empty set of lines has no object.
+    if not any(obj.type == "CURVE" and obj.curvature.companion_of for obj in context.scene.objects):
+        operator.poll_message_set("Trace curvature lines first")
         return False
     return True
 

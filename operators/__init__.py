@@ -9,8 +9,11 @@ import bpy
 from .analyze import CURVATURE_OT_analyze
 from .clear import CURVATURE_OT_clear
 from .deliver import CURVATURE_OT_deliver
+from .export_lines import CURVATURE_OT_export_lines
 from .export_report import CURVATURE_OT_export_report
 from .find_umbilics import CURVATURE_OT_find_umbilics
+from .hatch import CURVATURE_OT_hatch
+from .pick_lines import CURVATURE_OT_pick_lines
 from .segment import CURVATURE_OT_segment
 from .select_class import CURVATURE_OT_select_class
 from .separate import CURVATURE_OT_separate
@@ -29,7 +32,10 @@ register, unregister = bpy.utils.register_classes_factory(
         CURVATURE_OT_separate,
         CURVATURE_OT_trace_lines,
         CURVATURE_OT_trace_through,
+        CURVATURE_OT_pick_lines,
         CURVATURE_OT_find_umbilics,
+        CURVATURE_OT_hatch,
+        CURVATURE_OT_export_lines,
         CURVATURE_OT_clear,
     )
 )

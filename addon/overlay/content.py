@@ -8,12 +8,16 @@ import numpy as np
 from bpy.types import Object, Scene
 
 from ..bridge import names, units
+from ..bridge.companions import ROLES, companions
 from ..bridge.display import CURVATURES, analyzed_objects, class_colors
-from ..bridge.subject import carrier_of
+from ..bridge.drawings import LINE_ROLES
+from ..bridge.results import read_report
+from ..bridge.subject import carrier_of, source_of
 from ..geometry.classification import SurfaceClass
 from ..geometry.display.colormap import ColorMap, srgb_from_linear
 from ..geometry.display.legend import ClassKey, ColorBar, Legend
 from ..geometry.display.palette import CLASS_NAMES, region_colors
+from ..report.findings import ASYMPTOTIC_LINES, LINES
 
 _MOST_REGIONS = 8
 _UNITS = {"GAUSSIAN": "1/m²", "MEAN": "1/m", "K1": "1/m", "K2": "1/m"}
@@ -49,6 +53,22 @@ def class_legend(scene: Scene, objects: list[Object]) -> Legend | None:
     """Return the key of the classes of some objects, whatever is shown; None without classes."""
     segmented = [obj for obj in objects if obj.data.curvature.is_segmented]
     return _class_key(scene, segmented) if segmented else None
+
+
+def line_legend(scene: Scene, objects: list[Object]) -> Legend | None:
+    """Return the key of the curvature lines of some objects; None without lines."""
+    rows = []
+    for role in LINE_ROLES:
+        found = [each for obj in objects for each in companions(source_of(obj), (role,))]
+        count = sum(len(each.data.splines) for each in found)
+        if count:
+            rows.append((_display_color(ROLES[role].color), ROLES[role].ending, f"{count:,}"))
+    if not rows:
+        return None
+    blocks = [read_report(obj) or {} for obj in objects]
+    spacings = {b[key]["spacing"] for b in blocks for key in (LINES, ASYMPTOTIC_LINES) if key in b}
+    notes = tuple(f"{units.length_text(scene, spacing)} apart" for spacing in sorted(spacings))
+    return ClassKey("Curvature Lines", tuple(rows), notes)
 
 
 def tolerance_notes(scene: Scene, obj: Object) -> tuple[str, ...]:

@@ -9,6 +9,9 @@ import bpy
 from .analysis import CURVATURE_PT_analysis
 from .changes import CURVATURE_PT_changes
 from .delivery import CURVATURE_PT_delivery
+from .hatching import CURVATURE_PT_hatching
+from .lines import CURVATURE_PT_lines
+from .picking import CURVATURE_PT_picking
 from .results import CURVATURE_PT_results
 from .segmentation import CURVATURE_PT_segmentation
 from .warnings import CURVATURE_PT_warnings
@@ -21,5 +24,8 @@ register, unregister = bpy.utils.register_classes_factory(
         CURVATURE_PT_delivery,
         CURVATURE_PT_analysis,
         CURVATURE_PT_warnings,
+        CURVATURE_PT_lines,
+        CURVATURE_PT_picking,
+        CURVATURE_PT_hatching,
     )
 )

@@ -260,13 +260,14 @@ def test_umbilics_are_visible() -> None:
     bpy.ops.curvature.find_umbilics()
     depsgraph = bpy.context.evaluated_depsgraph_get()
     shown = [
-        each
+        each.matrix_world.to_scale().x
         for each in depsgraph.object_instances
         if each.is_instance and each.parent.original.name == "Egg Umbilics"
     ]
     assert len(shown) == 4
-    size = shown[0].matrix_world.to_scale().x
-    assert 0.002 < size < 0.1
+    # A tenth of the spacing, which is a twentieth of the diagonal.
+    diagonal = 2.0 * math.sqrt(1.5**2 + 1.2**2 + 1.0)
+    assert shown == pytest.approx([0.1 * diagonal / 20.0] * 4, rel=0.1)
 
 
 def test_lines_run_through_the_cursor() -> None:

@@ -18,10 +18,11 @@ _ALLOWED = {
     "": {"registration"},
     "geometry": set(),
     "report": {"geometry"},
+    "export": {"geometry", "report"},
     "version": set(),
-    "bridge": {"geometry", "report"},
+    "bridge": {"export", "geometry", "report"},
     "properties": {"bridge", "geometry"},
-    "overlay": {"bridge", "geometry"},
+    "overlay": {"bridge", "geometry", "report"},
     "choices": {"bridge", "geometry", "tracing"},
     "polls": {"bridge"},
     "progress": {"geometry"},
@@ -34,7 +35,7 @@ _ALLOWED = {
     "panels": {"bridge", "geometry", "properties"},
     "operators": {
         "bridge", "geometry", "report", "properties", "overlay", "choices", "polls", "progress",
-        "tasks", "reporting", "running", "steps", "tracing",
+        "tasks", "reporting", "running", "steps", "tracing", "export",
     },
     "cli": {
         "bridge", "geometry", "report", "properties", "overlay", "choices", "tasks", "reporting",
@@ -112,7 +113,7 @@ def test_rule_finds_what_it_forbids() -> None:
     assert "bridge" not in _ALLOWED["geometry"]
 
 
-@pytest.mark.parametrize("part", ["addon/geometry/", "addon/report/"])
+@pytest.mark.parametrize("part", ["addon/geometry/", "addon/report/", "addon/export/"])
 def test_mathematics_and_reports_know_nothing_of_blender(part: str, shipped: list) -> None:
     inside = [source for source in shipped if str(source).startswith(part)]
     assert inside
