@@ -81,7 +81,7 @@ def render(
             _aim_camera(scene, objects, eye, key.shape[1] + margin if legend else 0)
             _shade_model(scene)
             if is_plain:
-                scene.display.shading.color_type = "OBJECT"
+                scene.display.shading.color_type = "MATERIAL"
             picture = _render(scene, temporary)
         pixels = _over(np.array([*_BACKGROUND, 1.0]), picture)
         _paste(pixels, key, margin)

@@ -166,9 +166,7 @@ def _tangents(points: Floats, is_closed: bool) -> Floats:
     if not is_closed:
         behind[0] = ahead[0]
     # The shorter side says more about the tangent: of the circle through three points.
-    size_ahead = np.linalg.norm(ahead, axis=1, keepdims=True) + 1e-300
-    size_behind = np.linalg.norm(behind, axis=1, keepdims=True) + 1e-300
-    tangent = ahead / size_ahead**2 * size_behind + behind / size_behind**2 * size_ahead
+    tangent = _by_own_square(ahead) + _by_own_square(behind)
     if not is_closed and len(points) > 2:
         # Of the same circle: its tangent at the end is that beside it, mirrored in the chord.
         for end, beside in ((0, 1), (-1, -2)):
@@ -177,3 +175,9 @@ def _tangents(points: Floats, is_closed: bool) -> Floats:
             inner = tangent[beside] / (np.linalg.norm(tangent[beside]) + 1e-300)
             tangent[end] = 2.0 * (inner @ unit) * unit - inner
     return tangent / (np.linalg.norm(tangent, axis=1, keepdims=True) + 1e-300)
+
+
+def _by_own_square(vectors: Floats) -> Floats:
+    """Return vectors over the squares of their lengths; zero stays zero."""
+    square = np.einsum("px,px->p", vectors, vectors)[:, None]
+    return np.divide(vectors, square, out=np.zeros_like(vectors), where=square > 0.0)

@@ -8,8 +8,9 @@ import bpy
 import pytest
 from models import STRICT, add_surface, dome
 
-ALL = ("analyze", "segment", "clear", "show", "export_report", "select_class")
-NEED_A_MESH = ("analyze", "segment", "clear", "select_class")
+LINES = ("trace_lines", "trace_through", "pick_lines", "find_umbilics", "hatch")
+ALL = ("analyze", "segment", "clear", "show", "export_report", "select_class", *LINES)
+NEED_A_MESH = ("analyze", "segment", "clear", "select_class", "export_lines", *LINES)
 NEED_RESULTS = ("show", "export_report")
 
 
@@ -65,6 +66,11 @@ def test_classes_are_asked_for() -> None:
     add_surface(dome)
     bpy.ops.curvature.analyze()
     assert _refusal("select_class").rstrip().endswith("Segment the model first")
+
+
+def test_lines_are_asked_for() -> None:
+    add_surface(dome)
+    assert _refusal("export_lines").rstrip().endswith("Trace curvature lines first")
 
 
 @pytest.mark.parametrize("name", ALL)
