@@ -15,8 +15,8 @@ from .lines import CurvatureLines, LineEnd
 from .samples import Samples, close_pairs
 from .steps import cross, go_straight, start_walkers, unfold
 
-#: A line closes if its arms miss each other by no more than this share of its length, or of a side
-#: of a triangle, and of the spacing.
+#: A line closes if its arms miss each other by no more than this share of its length, more where
+#: directions are uncertain, or of a side of a triangle, and of the spacing.
 _MISS_LENGTH, _MISS_EDGE, _MISS_SPACING = 0.005, 0.5, 0.4
 #: Points closer than this share of a side of a triangle to the one before are left out.
 _DOUBLE = 1e-4
@@ -45,7 +45,7 @@ def assemble(
         As traced.
     rules : Rules
     shortest : float
-        Lines below this length in meters are left out.
+        Lines below this length in meters are left out, and below half of it from rim to rim.
 
     Returns
     -------
@@ -64,10 +64,11 @@ def assemble(
     position = samples.position[order]
     step = np.linalg.norm(np.diff(position, axis=0, prepend=position[:1]), axis=1)
     is_double = (np.diff(line, prepend=-1) == 0) & (step < _DOUBLE * field.mesh.edge_length)
-    length = np.bincount(
-        line, np.where(np.diff(line, prepend=-1) == 0, step, 0.0), len(state.is_removed)
-    )
-    is_kept = ~is_double & (length >= shortest)[line]
+    step[np.diff(line, prepend=-1) != 0] = 0.0
+    length = np.bincount(line, step, len(state.is_removed))
+    corner = np.arange(len(length))[:, None] * 2 + [1, 0]
+    spans = np.isin(state.end[corner], (LineEnd.RIM, LineEnd.CREASE)).all(axis=1)
+    is_kept = ~is_double & (length >= np.where(spans, 0.5, 1.0) * shortest)[line]
     order, line = order[is_kept], line[is_kept]
     seed, count = np.unique(line, return_counts=True)
     return CurvatureLines(
@@ -108,7 +109,8 @@ def _meetings(field: DirectionField, state: Arms, samples: Samples, rules: Rules
         miss=-np.einsum("nx,nx->n", left, apart[first]),
     )
     length = found.forward + found.backward
-    allowed = np.maximum(_MISS_LENGTH * length, _MISS_EDGE * field.mesh.edge_length)
+    astray = _MISS_LENGTH + _doubts(field, samples, len(state.closing))[found.line]
+    allowed = np.maximum(astray * length, _MISS_EDGE * field.mesh.edge_length)
     is_closed = np.abs(found.miss) <= np.minimum(allowed, _MISS_SPACING * rules.spacing)
     _end_open(state, forward, one, far, found.line[~is_closed])
     state.cut[2 * found.line[is_closed]] = found.forward[is_closed]
@@ -118,6 +120,14 @@ def _meetings(field: DirectionField, state: Arms, samples: Samples, rules: Rules
     return _Meetings(
         *(getattr(found, name)[is_closed] for name in ("line", "forward", "backward", "miss"))
     )
+
+
+def _doubts(field: DirectionField, samples: Samples, count: int) -> Floats:
+    """Return the mean uncertainty of the directions along each line, (n,) float64 in radians."""
+    doubt = 0.5 * field.uncertainty / np.maximum(field.strength, field.doubt)
+    corner = field.mesh.triangles[samples.triangle]
+    total = np.bincount(samples.line, doubt[corner].mean(axis=1), count)
+    return total / np.maximum(np.bincount(samples.line, minlength=count), 1)
 
 
 def _own_pairs(forward: Samples, backward: Samples, rules: Rules) -> tuple[Indices, Indices]:

@@ -203,8 +203,8 @@ def _meet_others(state: Arms, one: Samples, two: Samples, flags: Flags) -> None:
     apart = one.position - two.position
     along = np.abs(np.einsum("nx,nx->n", apart, one.heading))
     is_head_on = along > 0.8 * np.linalg.norm(apart, axis=1)
-    opposite = np.einsum("nx,nx->n", one.heading, two.heading) < 0.0
-    state.is_removed[loser_arm[is_head_on & opposite] // 2] = True
+    is_head_on &= np.einsum("nx,nx->n", one.heading, two.heading) < 0.0
+    state.is_removed[loser_arm[is_head_on] // 2] = True
     gone = np.flatnonzero(state.is_removed)
     state.end[np.concatenate([2 * gone, 2 * gone + 1])] = LineEnd.NEIGHBOR
     _cut(state, loser_arm[~is_head_on], loser_arc[~is_head_on])

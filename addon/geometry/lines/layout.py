@@ -34,7 +34,7 @@ from .tracing import trace
 _NEAREST = 0.5
 #: Seeds closer than this share of the spacing to a line are none.
 _FREE = 0.85
-#: Shorter lines than this many spacings are left out.
+#: Shorter lines than this many spacings are left out; half of it from rim to rim.
 _SHORTEST = 1.0
 #: Most rounds of filling; gaps are gone much earlier.
 _ROUNDS = 60
@@ -59,7 +59,9 @@ class _Layout:
         field = self.lines.field
         state, samples = trace(field, self.lines.umbilics, seeds, self.samples, self.rules)
         new = assemble(field, state, samples, self.rules, _SHORTEST * spacing)
-        self.tried = joined([self.tried, samples.chosen(samples.arc == 0.0)])
+        # Who gave way to a line that is placed now may still have room beside it.
+        is_told = (samples.arc == 0.0) & ~state.is_removed[samples.line]
+        self.tried = joined([self.tried, samples.chosen(is_told)])
         if new.count:
             self.samples = joined(
                 [

@@ -8,8 +8,6 @@ Their difference needs more: where k1 is close to k2 a small error turns the dir
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from ..groups import connected_groups, sum_by_group
@@ -24,8 +22,6 @@ _LENGTH = 0.08
 _POWER = 1.0 / 3.0
 #: Relative uncertainty below which nothing is smoothed.
 _CLEAN = 0.02
-#: Half the difference of k1 and k2, times the diagonal, that is taken for none on clean meshes.
-_UMBILIC = 2e-3
 #: A doubtful zone no larger than this many edges or this share of the diagonal is a point.
 _POINT_EDGES, _POINT_SHARE = 1.5, 0.07
 
@@ -75,7 +71,7 @@ def bridged(field: DirectionField, transport: Transport) -> tuple[DirectionField
         small zones, which hold an umbilic or nothing; -1 elsewhere.
     """
     diagonal = field.surface.mesh.diagonal
-    limit = np.maximum(field.uncertainty, _UMBILIC / diagonal)
+    limit = field.doubt
     is_doubtful = (field.strength <= limit) | ~field.is_defined
     zone = np.full(field.mesh.sector_count, -1, dtype=np.int64)
     if not is_doubtful.any():
@@ -98,7 +94,7 @@ def _lengths(field: DirectionField) -> Floats:
     """Return the length to smooth over at every sector, (s,) float64 in meters."""
     strength = field.strength[field.is_defined]
     typical = float(np.quantile(strength, 0.75)) if len(strength) else 0.0
-    if typical * field.surface.mesh.diagonal <= _UMBILIC:
+    if typical <= field.tolerance:
         return np.zeros(field.mesh.sector_count)
     share = np.minimum(field.uncertainty / typical, 1.0)
     share = np.where(share > _CLEAN, share, 0.0)
@@ -138,8 +134,3 @@ def _solve(matrix: Graph, weight: Floats, target: Complexes, guess: Complexes) -
     system.setdiag(1.0)
     found: Graph = cg(system, scale * target, x0=guess / scale, rtol=1e-5, maxiter=1000)
     return np.asarray(scale * found[0], dtype=np.complex128)
-
-
-def with_uncertainty(field: DirectionField, share: float) -> DirectionField:
-    """Return the field with its uncertainty scaled."""
-    return replace(field, uncertainty=share * field.uncertainty)

@@ -16,18 +16,17 @@ from .assembly import assemble
 from .endings import Rules
 from .field import PRINCIPAL, DirectionField, Family, build_direction_field
 from .lines import CurvatureLines
-from .refinement import bridged, smoothed, with_uncertainty
+from .refinement import bridged, smoothed
 from .samples import Samples, no_trail, take_samples
 from .seeds import Seeds, make_seeds
 from .tracing import trace
 from .transport import build_transport
 from .umbilics import Umbilics, find_umbilics
 
-#: Standard error of half the difference of k1 and k2 over the uncertainty of either (measured
-#: 0.05 to 0.4; less where the field is smoothed).
-_CALIBRATION = 0.25
-#: Distance over the side of a triangle at which a line without spacing ends beside itself.
-_NEAREST = 1.0
+#: What stands for the spacing of lines without one, over the side of a triangle.
+_SPACING = 4.0
+#: Share of it at which a line ends beside itself.
+_NEAREST = 0.5
 
 
 @dataclass(frozen=True)
@@ -50,7 +49,10 @@ class LineField:
 
 
 def build_line_field(
-    surface: Surface, curvature: Curvature, smoothing_length: float | None = None
+    surface: Surface,
+    curvature: Curvature,
+    smoothing_length: float | None = None,
+    umbilic_tolerance: float = 0.0,
 ) -> LineField:
     """Return the direction field of a surface, freed from noise, and its umbilics.
 
@@ -62,12 +64,15 @@ def build_line_field(
     smoothing_length : float, optional
         Length in meters over which directions are averaged, 0 for none; by default as the
         uncertainty of the curvature asks for.
+    umbilic_tolerance : float
+        Half the difference of k1 and k2 in 1/m up to which a part counts as flat or spherical; 0
+        for a default that depends on the model's size.
 
     Returns
     -------
     LineField
     """
-    field = with_uncertainty(build_direction_field(surface, curvature), _CALIBRATION)
+    field = build_direction_field(surface, curvature, umbilic_tolerance)
     transport = build_transport(field.mesh, field.normal)
     field, zone = bridged(smoothed(field, transport, smoothing_length), transport)
     return LineField(field, find_umbilics(field, transport, zone))
@@ -96,8 +101,8 @@ def trace_from(
         Family by family, in the order of the points. Points on umbilics and in umbilic areas have
         no lines.
     """
-    edge = lines.field.mesh.edge_length
-    rules = Rules(spacing=2.0 * edge, nearest=_NEAREST * edge, competes=False)
+    spacing = _SPACING * lines.field.mesh.edge_length
+    rules = Rules(spacing=spacing, nearest=_NEAREST * spacing, competes=False)
     seeds = make_seeds(
         np.tile(triangle, len(families)),
         np.tile(barycentric, (len(families), 1)),

@@ -21,6 +21,9 @@ from .field import DirectionField
 from .linear_zero import Zeros, find_zeros
 from .transport import Transport
 
+#: Strength over the doubt below which neighboring zeros may be one.
+_WEAK = 5.0
+
 
 class UmbilicKind(IntEnum):
     """Pattern of the lines around an umbilic, after Darboux."""
@@ -139,22 +142,21 @@ def _areas(triangles: Indices, zone: Indices) -> tuple[Indices, int]:
 def _grouped(field: DirectionField, zeros: Zeros, half: Indices, zone: Indices) -> Zeros:
     """Return zeros with those that noise cannot tell apart taken together.
 
-    Zeros in one doubtful zone, or in triangles that share a corner, with indices that cancel are
-    none.
+    Zeros in one doubtful zone, or in triangles that share a weak corner, with indices that cancel
+    are none.
     """
     triangle = zeros.triangle
     corner = field.mesh.triangles[triangle]
     count = field.mesh.sector_count
+    # Sectors, zones and zeros are items of one list, and linked.
     small = np.maximum(-1 - zone, 0)
-    # Zones, sectors and zeros are linked, as items of one list.
     zones = int(small.max(initial=0)) + 1
     item = count + zones + np.arange(len(triangle))
-    in_zone = small[corner]
-    links = [
-        np.stack([item[in_zone[:, c] > 0], count + in_zone[in_zone[:, c] > 0, c]], axis=1)
-        for c in range(3)
-    ]
-    group = connected_groups(np.concatenate(links), count + zones + len(triangle))[item]
+    is_weak = field.strength < _WEAK * field.doubt
+    meeting = np.where(small > 0, count + small, np.where(is_weak, np.arange(count), -1))[corner]
+    zero, place = np.nonzero(meeting >= 0)
+    links = np.stack([item[zero], meeting[zero, place]], axis=1)
+    group = connected_groups(links, count + zones + len(triangle))[item]
     names, number = np.unique(group, return_inverse=True)
     number = number.reshape(-1)
     total = sum_by_group(number, half[triangle].astype(np.float64), len(names))

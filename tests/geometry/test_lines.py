@@ -1,0 +1,264 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Traced lines follow the exact ones, end for a reason and cover the surface evenly."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from architectural_curvature.addon.geometry.curvature import estimate_curvature
+from architectural_curvature.addon.geometry.errors import InvalidSettingError
+from architectural_curvature.addon.geometry.lines.field import ASYMPTOTIC, PRINCIPAL, Family
+from architectural_curvature.addon.geometry.lines.layout import trace_evenly
+from architectural_curvature.addon.geometry.lines.lines import CurvatureLines, LineEnd
+from architectural_curvature.addon.geometry.lines.tracer import (
+    LineField,
+    build_line_field,
+    trace_from,
+)
+from architectural_curvature.addon.geometry.mesh import PolygonMesh, mesh_from_polygons
+from architectural_curvature.addon.geometry.surface import build_surface
+from scipy.spatial import cKDTree
+from surfaces.catalogue import PATCHES, TORUS_RING, TORUS_TUBE
+from surfaces.sampling import Sample, sample_patch
+from surfaces.spheres import ellipsoid_shape, sample_ellipsoid
+
+AXES = (1.5, 1.2, 1.0)
+CLOSED, RIM = LineEnd.CLOSED, LineEnd.RIM
+
+
+def field_of(mesh: PolygonMesh) -> LineField:
+    surface = build_surface(mesh)
+    return build_line_field(surface, estimate_curvature(surface))
+
+
+def field_on(sample: Sample, noise: float = 0.0) -> LineField:
+    moves = np.random.default_rng(1).normal(0.0, noise, (len(sample.shape.position), 1))
+    position = sample.shape.position + moves * sample.longest_edge * sample.shape.normal
+    return field_of(mesh_from_polygons(position, sample.polygons))
+
+
+def trace_some(
+    lines: LineField, count: int = 8, families: tuple[Family, ...] = PRINCIPAL
+) -> CurvatureLines:
+    """Trace from the middles of triangles spread over the surface."""
+    triangle = np.linspace(0, len(lines.field.mesh.triangles) - 1, count).astype(np.int64)
+    return trace_from(lines, triangle, np.full((count, 3), 1.0 / 3.0), families)
+
+
+def spread(values: np.ndarray, lines: CurvatureLines) -> np.ndarray:
+    """Return how much values at the points vary along each line."""
+    first = lines.start[:-1]
+    return np.maximum.reduceat(values, first) - np.minimum.reduceat(values, first)
+
+
+@pytest.mark.parametrize("kind", ["regular", "irregular"])
+@pytest.mark.parametrize("noise", [0.0, 0.005])
+def test_every_line_of_a_torus_closes(kind: str, noise: float) -> None:
+    sample = sample_patch(PATCHES["torus"], kind, (100, 40))
+    lines = trace_some(field_on(sample, noise))
+    assert (lines.ends == CLOSED).all()
+    x, y, z = lines.points.T
+    turn = np.arctan2(z, np.hypot(x, y) - TORUS_RING)
+    around = np.unwrap(np.arctan2(y, x))
+    is_first = lines.family == Family.FIRST
+    half = 0.5 * sample.longest_edge * (1.0 + 10.0 * noise)
+    assert (spread(np.sin(turn), lines)[~is_first] * TORUS_TUBE < half).all()
+    # The seam of the angle is no jump of the sine.
+    assert (spread(np.sin(around - around[lines.start[:-1]][lines.point_line]), lines)[is_first]
+            < half).all()  # fmt: skip
+
+
+def test_lines_of_an_ellipsoid_lie_on_confocal_quadrics() -> None:
+    sample = sample_ellipsoid(AXES, "irregular", 20)
+    lines = trace_some(field_on(sample), 10)
+    square = np.array(AXES) ** 2
+    # The confocal quadrics through a point: roots of the sum of x²/(a² - t) = 1, besides t = 0.
+    x = lines.points**2
+    x /= (x / square).sum(axis=1)[:, None]
+    total = square.sum() - x.sum(axis=1)
+    a, b, c = square
+    product = a * b + b * c + c * a - x @ np.array([b + c, c + a, a + b])
+    gap = np.sqrt(np.maximum(total**2 - 4.0 * product, 0.0))
+    small, large = 0.5 * (total - gap), 0.5 * (total + gap)
+    is_first = lines.family[lines.point_line] == Family.FIRST
+    constant = np.minimum(
+        spread(np.where(is_first, small, small), lines),
+        spread(np.where(is_first, large, large), lines),
+    )
+    # How far a step of the parameter is, is at least this far from the umbilics.
+    assert np.median(constant) < 0.5 * sample.longest_edge * 0.1
+    assert constant.max() < 0.5 * sample.longest_edge
+
+
+def test_lines_of_an_ellipsoid_run_along_exact_directions() -> None:
+    sample = sample_ellipsoid(AXES, "irregular", 20)
+    lines = trace_evenly(field_on(sample), 0.2)
+    unit = lines.points / np.array(AXES)
+    shape = ellipsoid_shape(AXES, unit / np.linalg.norm(unit, axis=1)[:, None])
+    line = lines.point_line
+    here = np.flatnonzero(np.diff(line) == 0)
+    move = lines.points[here + 1] - lines.points[here]
+    is_first = (lines.family[line] == Family.FIRST)[:, None]
+    exact = np.where(is_first, shape.direction_1, shape.direction_2)
+    sign = np.sign(np.einsum("ij,ij->i", exact[here], exact[here + 1]))[:, None]
+    normal = shape.normal[here] + shape.normal[here + 1]
+    across = np.cross(normal, exact[here] + sign * exact[here + 1])
+    across /= np.linalg.norm(across, axis=1)[:, None]
+    length = np.linalg.norm(move, axis=1)
+    long = length > 1e-6
+    sine = np.abs(np.einsum("ij,ij->i", move, across))[long] / length[long]
+    angle = np.degrees(np.arcsin(np.minimum(sine, 1.0)))
+    assert np.average(angle, weights=length[long]) < 0.5
+
+
+def test_lines_of_a_catenoid_end_at_the_rim_or_close() -> None:
+    lines = trace_some(field_on(sample_patch(PATCHES["catenoid"], "irregular", (70, 30))))
+    is_closed = (lines.ends == CLOSED).all(axis=1)
+    assert (is_closed | (lines.ends == RIM).all(axis=1)).all()
+    assert is_closed.sum() == 8
+    ends = lines.points[np.stack([lines.start[:-1], lines.start[1:] - 1], axis=1)[~is_closed]]
+    assert np.abs(ends[..., 2]) == pytest.approx(1.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("name", ["torus", "elliptic paraboloid", "hyperbolic paraboloid"])
+def test_lines_are_evenly_spaced_without_holes(name: str) -> None:
+    spacing = 0.15
+    lines = field_on(sample_patch(PATCHES[name], "irregular", (70, 50)))
+    traced = trace_evenly(lines, spacing)
+    middle = lines.field.mesh.points(
+        np.arange(len(lines.field.mesh.triangles)),
+        np.full((len(lines.field.mesh.triangles), 3), 1.0 / 3.0),
+    )
+    for family in PRINCIPAL:
+        chosen = traced.chosen(np.flatnonzero(traced.family == family))
+        hole = cKDTree(chosen.points).query(middle)[0]
+        assert 2.0 * hole.max() < 2.5 * spacing
+        distance, other = cKDTree(chosen.points).query(chosen.points, k=80)
+        line = chosen.point_line
+        distance[line[other] == line[:, None]] = np.inf
+        nearest = distance.min(axis=1)
+        assert ((nearest > 0.48 * spacing) & (nearest < 2.0 * spacing)).mean() >= 0.9
+
+
+def test_families_cross_at_right_angles() -> None:
+    lines = field_on(sample_patch(PATCHES["waves"], "irregular", (50, 50)))
+    traced = trace_evenly(lines, 0.2)
+    place = traced.triangle, traced.barycentric
+    ones = np.ones(len(traced.points), dtype=np.int64)
+    first = lines.field.evaluate(*place, int(Family.FIRST) * ones)[0]
+    second = lines.field.evaluate(*place, int(Family.SECOND) * ones)[0]
+    assert np.abs(np.einsum("ij,ij->i", first, second)).max() < 1e-9
+
+
+def test_lines_run_along_the_edges_of_a_principal_quad_mesh() -> None:
+    sample = sample_patch(PATCHES["barrel vault"], "quads", (24, 20))
+    traced = trace_some(field_of(mesh_from_polygons(sample.shape.position, sample.polygons)))
+    move = np.diff(traced.points, axis=0)[np.diff(traced.point_line) == 0]
+    move = move[np.linalg.norm(move, axis=1) > 1e-6]
+    along = np.abs(move[:, 0]) / np.linalg.norm(move, axis=1)
+    assert np.degrees(np.arccos(np.minimum(np.maximum(along, 1e-12), 1.0))).size
+    off = np.minimum(np.arccos(np.minimum(along, 1.0)), np.arcsin(np.minimum(along, 1.0)))
+    assert np.degrees(np.median(off)) < 3.0
+    assert (traced.ends == RIM).all()
+
+
+def test_no_line_crosses_a_crease() -> None:
+    """Two vaults that meet at a sharp valley: a line that reaches it ends there."""
+    turn = np.linspace(0.4, np.pi - 0.4, 25)
+    along = np.linspace(0.0, 2.0, 15)
+    profile = np.concatenate(
+        [
+            np.stack([-np.cos(turn) - np.cos(0.4), np.sin(turn)], axis=1),
+            np.stack([-np.cos(turn) + np.cos(0.4), np.sin(turn)], axis=1)[1:],
+        ]
+    )
+    count = len(profile)
+    position = np.concatenate(
+        [np.column_stack([profile[:, 0], np.full(count, y), profile[:, 1]]) for y in along]
+    )
+    i, j = (index.ravel() for index in np.indices((len(along) - 1, count - 1)))
+    corner = i * count + j
+    quads = np.stack([corner, corner + 1, corner + count + 1, corner + count], axis=1)
+    traced = trace_evenly(field_of(mesh_from_polygons(position, quads)), 0.2)
+    assert (traced.ends == LineEnd.CREASE).any()
+    x = traced.points[:, 0]
+    first = traced.start[:-1]
+    assert (np.minimum.reduceat(x, first) * np.maximum.reduceat(x, first) > -1e-9).all()
+
+
+def test_lines_end_at_flat_parts() -> None:
+    """A vault that runs out tangentially into a plane, all smooth."""
+    turn = np.linspace(0.0, 0.5 * np.pi, 20)
+    straight = np.linspace(0.0, 1.0, 11)[1:]
+    profile = np.concatenate(
+        [
+            np.stack([-np.cos(turn), np.sin(turn)], axis=1),
+            np.stack([straight, np.ones(10)], axis=1),
+        ]
+    )
+    along = np.linspace(0.0, 1.5, 16)
+    count = len(profile)
+    position = np.concatenate(
+        [np.column_stack([profile[:, 0], np.full(count, y), profile[:, 1]]) for y in along]
+    )
+    i, j = (index.ravel() for index in np.indices((len(along) - 1, count - 1)))
+    corner = i * count + j
+    quads = np.stack([corner, corner + 1, corner + count + 1, corner + count], axis=1)
+    lines = field_of(mesh_from_polygons(position, quads))
+    traced = trace_evenly(lines, 0.15)
+    assert len(lines.umbilics.area_index) == 1
+    assert (traced.ends == LineEnd.AREA).any()
+    assert traced.points[:, 0].max() < 0.3
+
+
+def test_asymptotic_lines_of_a_hyperbolic_paraboloid_are_its_rulings() -> None:
+    sample = sample_patch(PATCHES["hyperbolic paraboloid"], "irregular", (40, 40))
+    traced = trace_some(field_on(sample), 9, ASYMPTOTIC)
+    assert (traced.ends == RIM).all()
+    straying = np.minimum(spread(traced.points[:, 0], traced), spread(traced.points[:, 1], traced))
+    assert straying.max() < 0.5 * sample.longest_edge
+
+
+def test_asymptotic_lines_of_a_torus_end_at_its_parabolic_circles() -> None:
+    traced = trace_evenly(
+        field_on(sample_patch(PATCHES["torus"], "irregular", (90, 40))), 0.2, ASYMPTOTIC
+    )
+    assert traced.count
+    ends = traced.points[np.stack([traced.start[:-1], traced.start[1:] - 1], axis=1)]
+    at_curve = ends[traced.ends == LineEnd.PARABOLIC]
+    assert len(at_curve)
+    assert np.abs(np.abs(at_curve[:, 2]) - TORUS_TUBE).max() < 0.1 * TORUS_TUBE
+    assert np.hypot(traced.points[:, 0], traced.points[:, 1]).max() < TORUS_RING + 0.1 * TORUS_TUBE
+
+
+def test_lines_do_not_depend_on_where_the_model_lies() -> None:
+    sample = sample_patch(PATCHES["waves"], "irregular", (30, 30))
+    far = np.array([4e5, -2e5, 300.0])
+    one = field_of(mesh_from_polygons(sample.shape.position, sample.polygons))
+    other = field_of(mesh_from_polygons(sample.shape.position + far, sample.polygons))
+    a, b = trace_some(one, 6), trace_some(other, 6)
+    assert (a.ends == b.ends).all()
+    assert a.length == pytest.approx(b.length, rel=1e-3)
+
+
+def test_same_input_gives_the_same_lines() -> None:
+    lines = field_on(sample_patch(PATCHES["waves"], "irregular", (30, 30)))
+    a, b = trace_evenly(lines, 0.3), trace_evenly(lines, 0.3)
+    assert (a.points == b.points).all()
+    assert (a.ends == b.ends).all()
+
+
+@pytest.mark.parametrize("spacing", [0.0, -1.0, np.nan, np.inf])
+def test_spacing_must_be_a_length(spacing: float) -> None:
+    lines = field_on(sample_patch(PATCHES["waves"], "regular", (8, 8)))
+    with pytest.raises(InvalidSettingError, match="spacing must be greater than zero"):
+        trace_evenly(lines, spacing)
+
+
+def test_a_single_triangle_and_a_plane_have_no_lines() -> None:
+    plane = field_on(sample_patch(PATCHES["plane"], "regular", (8, 8)))
+    assert trace_evenly(plane, 0.2).count == 0
+    assert trace_some(plane).count == 0
+    triangle = field_of(mesh_from_polygons(np.eye(3), [[0, 1, 2]]))
+    assert trace_evenly(triangle, 0.1).count == 0
