@@ -4,8 +4,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from bpy.types import Context, Operator
 
 from .bridge.numbers import as_typed, as_typed_angle
@@ -15,6 +13,8 @@ from .tracing.settings import LineSettings, Plan, families_of
 
 LINE_NAMES = ("families", "thickness", "fit_curves", "fit_tolerance")
 """Properties of operators that trace lines, which scenes have under the same names."""
+
+_HATCHING = ("tone", "spacing", "light")
 
 
 def adopt_settings(operator: Operator, context: Context, names: tuple[str, ...]) -> None:
@@ -92,23 +92,22 @@ def line_plan(context: Context, operator: Operator | None = None) -> Plan:
 
 def adopt_hatching(operator: Operator, context: Context) -> None:
     """Fill properties of a hatching that nobody has set from the scene."""
-    for name in ("tone", "spacing", "light"):
+    for name in _HATCHING:
         if not operator.properties.is_property_set(name):
             setattr(operator, name, getattr(context.scene.curvature, f"hatch_{name}"))
 
 
 def hatch_settings(context: Context, operator: Operator) -> HatchSettings:
     """Return how to hatch: what an operator was told, else the scene's settings."""
-
-    def told(name: str) -> Any:
-        is_told = operator.properties.is_property_set(name)
-        if is_told:
-            return getattr(operator, name)
-        return getattr(context.scene.curvature, f"hatch_{name}")
-
-    spacing = as_typed(float(told("spacing") or context.scene.curvature.hatch_spacing))
-    x, y, z = (float(part) for part in told("light"))
-    return HatchSettings(tone=str(told("tone")), spacing=spacing, light=(x, y, z))
+    told = {name for name in _HATCHING if operator.properties.is_property_set(name)}
+    scene = context.scene.curvature
+    x, y, z = operator.light if "light" in told else scene.hatch_light
+    spacing = operator.spacing if "spacing" in told else 0.0
+    return HatchSettings(
+        tone=str(operator.tone if "tone" in told else scene.hatch_tone),
+        spacing=as_typed(float(spacing or scene.hatch_spacing)),
+        light=(float(x), float(y), float(z)),
+    )
 
 
 def _choose(context: Context, operator: Operator | None, name: str) -> str | float:

@@ -55,7 +55,7 @@ class Outcome:
     @property
     def meshes(self) -> list[Mesh]:
         """The meshes of the carriers."""
-        return [carrier.data for carrier in self.carriers]
+        return [carrier.data for carrier in self.carriers if isinstance(carrier.data, Mesh)]
 
     @property
     def warnings(self) -> list[str]:

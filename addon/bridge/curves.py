@@ -95,9 +95,7 @@ def write_curves(
         (ENDS, lines.ends.ravel().tolist()),
         (ALONG, np.concatenate(lines.along).tolist() if lines.along else []),
     ):
-        # An empty list has no type that Blender could store.
-        if values:
-            data[key] = [*data.get(key, ()), *values]
+        _extend(data, key, values)
     return obj
 
 
@@ -131,6 +129,12 @@ def _add_object(subject: Subject, carrier: Object, role: str, scene: Scene) -> O
     name = f"Curvature {ROLES[role].ending.removeprefix('Picked ')}"
     data.materials.append(plain_material(name, ROLES[role].color))
     return add_companion(subject.source, carrier, data, role, scene)
+
+
+def _extend(data: Curve, key: str, values: list[float] | list[int]) -> None:
+    """Add values to a custom property; an empty list has no type that Blender could store."""
+    if values:
+        data[key] = [*data.get(key, ()), *values]
 
 
 def _add_polyline(data: Curve, points: Floats, is_closed: bool, radii: Floats | None) -> None:

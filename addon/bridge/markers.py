@@ -63,9 +63,9 @@ def write_umbilics(
 
 def _marker_nodes() -> GeometryNodeTree:
     """Return the nodes that put a ball on every point, in a color by the sign of its index."""
-    tree = bpy.data.node_groups.get(_NODES)
-    if tree is not None and tree.library is None:
-        return tree
+    found = bpy.data.node_groups.get(_NODES)
+    if isinstance(found, GeometryNodeTree) and found.library is None:
+        return found
     tree = bpy.data.node_groups.new(_NODES, "GeometryNodeTree")
     tree.is_modifier = True
     for side in ("INPUT", "OUTPUT"):
@@ -81,9 +81,7 @@ def _marker_nodes() -> GeometryNodeTree:
         ball.inputs["Radius"].default_value = 1.0
         ball.inputs["Subdivisions"].default_value = 3
         paint = _node(tree, "GeometryNodeSetMaterial", -100.0)
-        paint.inputs["Material"].default_value = plain_material(
-            f"Curvature Umbilics {sign}", color
-        )
+        paint.inputs["Material"].default_value = plain_material(f"Curvature Umbilics {sign}", color)
         place = _node(tree, "GeometryNodeInstanceOnPoints", 200.0)
         link = tree.links.new
         link(index.outputs["Attribute"], compare.inputs[0])

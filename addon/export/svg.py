@@ -30,8 +30,9 @@ def svg_text(drawing: Drawing) -> str:
     width, height = (size + 2.0 * margin).tolist()
     step = max(float(size.max()) * 1e-6, 1e-9)
     digits = max(0, int(np.ceil(-np.log10(step))))
-    groups = "\n".join(_group(layer, _THINNEST * max(width, height), digits)
-                       for layer in drawing.layers)
+    groups = "\n".join(
+        _group(layer, _THINNEST * max(width, height), digits) for layer in drawing.layers
+    )
     return (
         '<?xml version="1.0" encoding="UTF-8"?>\n'
         '<svg xmlns="http://www.w3.org/2000/svg" '

@@ -126,7 +126,9 @@ def _handle_sizes(
     """Return the lengths of the handles that fit best in the least-squares sense."""
     weights = _bernstein(share)
     one, two = weights[:, 1, None] * tangent_0, -weights[:, 2, None] * tangent_1
-    ends = (weights[:, :1] + weights[:, 1:2]) * row[0] + (weights[:, 2:3] + weights[:, 3:]) * row[-1]
+    ends = (weights[:, :1] + weights[:, 1:2]) * row[0] + (weights[:, 2:3] + weights[:, 3:]) * row[
+        -1
+    ]
     rest = row - ends
     a, b, c = (one * one).sum(), (one * two).sum(), (two * two).sum()
     x, y = (one * rest).sum(), (two * rest).sum()

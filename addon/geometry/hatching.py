@@ -90,7 +90,7 @@ def hatch(lines: CurvatureLines, tone: Floats, spacing: float, seed: int = 0) ->
     Strokes
     """
     random = np.random.default_rng(seed)
-    rank = _ranks(lines, spacing)
+    rank: list[int] = _ranks(lines, spacing).tolist()
     found: list[tuple[Floats, Floats, float]] = []
     for number in range(lines.count):
         threshold = _TONES[Family(int(lines.family[number]))][rank[number]]
@@ -162,7 +162,7 @@ def _strokes(
     """Return points, widths and length of the strokes along one line."""
     step = np.linalg.norm(np.diff(points, axis=0), axis=1)
     arc = np.concatenate([[0.0], np.cumsum(step)])
-    found = []
+    found: list[tuple[Floats, Floats, float]] = []
     begin = 0.0
     while begin < arc[-1]:
         end = begin + spacing * float(random.uniform(*_STROKE))

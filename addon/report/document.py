@@ -102,7 +102,9 @@ def _finding_rows(block: dict[str, Any]) -> list[tuple[Any, ...]]:
     for key in ("curvature_lines", "asymptotic_lines"):
         for name, found in block.get(key, {}).items():
             if isinstance(found, dict):
-                rows += [(key, name, each, found[each], _unit(each)) for each in ("count", "length")]
+                rows += [
+                    (key, name, each, found[each], _unit(each)) for each in ("count", "length")
+                ]
             else:
                 rows.append((key, "", name, found, "m"))
     for number, umbilic in enumerate(block.get("umbilics", ())):

@@ -72,9 +72,7 @@ def trace_objects(context: Context, objects: list[Object], plan: Plan) -> Steps[
     return (yield from _trace(context, objects, plan, find, write))
 
 
-def trace_seeds(
-    context: Context, objects: list[Object], plan: Plan, seeds: str
-) -> Steps[Outcome]:
+def trace_seeds(context: Context, objects: list[Object], plan: Plan, seeds: str) -> Steps[Outcome]:
     """Trace lines through given points, and add them to those that were picked before.
 
     Parameters

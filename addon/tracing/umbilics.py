@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-
 from bpy.types import Context, Object
 
 from ..bridge import results, units

@@ -6,10 +6,10 @@ from __future__ import annotations
 
 import json
 import re
-import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+from xml.etree.ElementTree import fromstring
 
 import bpy
 import numpy as np
@@ -34,7 +34,8 @@ def _dxf(path: Path) -> list[tuple[str, bool, np.ndarray]]:
     assert tags[-1] == (0, "EOF")
     starts = [n for n, tag in enumerate(tags) if tag[0] == 0]
     entities = [
-        (tags[a][1], dict(tags[a + 1 : b])) for a, b in zip(starts, [*starts[1:], None], strict=True)
+        (tags[a][1], dict(tags[a + 1 : b]))
+        for a, b in zip(starts, [*starts[1:], None], strict=True)
     ]
     found: list[tuple[str, bool, list]] = []
     for kind, values in entities:
@@ -53,7 +54,7 @@ def _obj(path: Path) -> list[np.ndarray]:
 
 
 def _svg(path: Path) -> list[np.ndarray]:
-    root = ET.fromstring(path.read_text(encoding="utf-8"))
+    root = fromstring(path.read_text(encoding="utf-8"))
     left, top, width, height = (float(x) for x in root.attrib["viewBox"].split())
     assert root.attrib["width"] == f"{1000.0 * width:.6g}mm"
     found = []
@@ -78,7 +79,11 @@ def test_every_format_has_the_lines_of_the_report(
     assert all(each == reports[0] for each in reports)
     counts = [reports[0][f"family_{n}"]["count"] for n in (1, 2)]
     assert min(counts) >= 6
-    dxf, obj, svg = _dxf(tmp_path / "out.dxf"), _obj(tmp_path / "out.obj"), _svg(tmp_path / "out.svg")
+    dxf, obj, svg = (
+        _dxf(tmp_path / "out.dxf"),
+        _obj(tmp_path / "out.obj"),
+        _svg(tmp_path / "out.svg"),
+    )
     assert [sum(each[0] == f"LINES_{n}" for each in dxf) for n in (1, 2)] == counts
     assert len(obj) == len(svg) == sum(counts)
     for (_, _, one), two, plan in zip(dxf, obj, svg, strict=True):

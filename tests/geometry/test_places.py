@@ -11,11 +11,11 @@ from architectural_curvature.addon.geometry.places import (
     nearest_places,
     vertex_places,
 )
-from architectural_curvature.addon.geometry.surface import build_surface
+from architectural_curvature.addon.geometry.surface import Surface, build_surface
 from solids import capped_cylinder
 
 
-def _points(surface, triangle, barycentric) -> np.ndarray:
+def _points(surface: Surface, triangle: np.ndarray, barycentric: np.ndarray) -> np.ndarray:
     corners = surface.mesh.vertices[surface.sector_vertex][surface.sector_triangles[triangle]]
     return np.einsum("pc,pcx->px", barycentric, corners)
 

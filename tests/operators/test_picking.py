@@ -36,6 +36,7 @@ def _picker(obj: Object) -> Picker:
 def test_ray_meets_the_model(vault: Object) -> None:
     above = Vector((5.0, 1.0, 50.0))
     place = cast_ray(bpy.context, above, Vector((0.0, 0.0, -1.0)), vault)
+    assert place is not None
     np.testing.assert_allclose(place, (5.0, 1.0, 2.0 * RADIUS), atol=1e-3)
     assert cast_ray(bpy.context, above, Vector((0.0, 0.0, 1.0)), vault) is None
 

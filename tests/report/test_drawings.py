@@ -5,8 +5,8 @@
 from __future__ import annotations
 
 import re
-import xml.etree.ElementTree as ET
 from pathlib import Path
+from xml.etree.ElementTree import fromstring
 
 import numpy as np
 import pytest
@@ -22,9 +22,7 @@ RING = np.array([[1000.0, 0.0, 3.0], [1001.0, 0.0, 3.0], [1001.0, 1.0, 3.0], [10
 @pytest.fixture
 def drawing() -> Drawing:
     """Two families, one with an open and a closed line."""
-    first = Layer(
-        "Lines 1", (0.7, 0.1, 0.1), 0.05, (Polyline(OPEN, False), Polyline(RING, True))
-    )
+    first = Layer("Lines 1", (0.7, 0.1, 0.1), 0.05, (Polyline(OPEN, False), Polyline(RING, True)))
     second = Layer("Lines 2", (0.1, 0.1, 0.7), 0.05, (Polyline(OPEN[::-1], False),))
     return Drawing("Dächer & <Hallen>", (first, second))
 
@@ -87,7 +85,7 @@ def test_obj_lines_point_at_their_vertices(drawing: Drawing) -> None:
 
 
 def test_svg_is_the_plan_at_true_size(drawing: Drawing) -> None:
-    root = ET.fromstring(TEXTS[".svg"](drawing))
+    root = fromstring(TEXTS[".svg"](drawing))
     assert root.find(f"{_SVG}title").text == "Dächer & <Hallen>"
     left, top, width, height = (float(part) for part in root.attrib["viewBox"].split())
     assert float(root.attrib["width"].removesuffix("mm")) == pytest.approx(1000.0 * width, rel=1e-5)
@@ -115,7 +113,7 @@ def test_no_lines_make_a_sound_file(ending: str, tmp_path: Path) -> None:
     text = path.read_bytes().decode()
     assert text
     if ending == ".svg":
-        ET.fromstring(text)
+        fromstring(text)
 
 
 def test_other_endings_are_refused(drawing: Drawing, tmp_path: Path) -> None:
