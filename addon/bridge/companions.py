@@ -29,8 +29,8 @@ class Role:
 
 
 # Colors that no class has: deep ones, which show on bright models.
-_RED, _BLUE = (0.42, 0.02, 0.015), (0.01, 0.05, 0.33)
-_VIOLET, _GREEN = (0.17, 0.015, 0.26), (0.0, 0.14, 0.06)
+_RED, _BLUE = (0.56, 0.012, 0.012), (0.008, 0.055, 0.45)
+_VIOLET, _GREEN = (0.22, 0.012, 0.34), (0.0, 0.17, 0.06)
 
 ROLES = {
     "LINES_1": Role("Lines 1", _RED),

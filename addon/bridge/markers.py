@@ -10,7 +10,7 @@ from bpy.types import GeometryNodeTree, Node, Object, Scene
 
 from ..geometry.lines.umbilics import Umbilics
 from . import names
-from .attributes import write_attribute
+from .attributes import read_attribute, write_attribute
 from .companions import (
     ROLES,
     add_companion,
@@ -22,8 +22,9 @@ from .companions import (
 from .subject import Subject
 from .units import meters_per_unit
 
-#: Where the index is negative: told apart from the others by color-blind eyes too.
-_NEGATIVE_COLOR = (0.0, 0.30, 0.33)
+SIGN_COLORS = {"Positive": ROLES["UMBILICS"].color, "Negative": (0.0, 0.30, 0.33)}
+"""Colors by the sign of the index, which color-blind eyes tell apart too."""
+
 _NODES = "Curvature Umbilics"
 _RADIUS = "umbilic_radius"
 
@@ -61,6 +62,14 @@ def write_umbilics(
     return obj
 
 
+def umbilic_signs(obj: Object) -> dict[str, int]:
+    """Return how many umbilics of an object have an index of each sign."""
+    index = read_attribute(obj.data, names.UMBILIC_INDEX)
+    if index is None:
+        return dict.fromkeys(SIGN_COLORS, 0)
+    return {"Positive": int((index > 0.0).sum()), "Negative": int((index < 0.0).sum())}
+
+
 def _marker_nodes() -> GeometryNodeTree:
     """Return the nodes that put a ball on every point, in a color by the sign of its index."""
     found = bpy.data.node_groups.get(_NODES)
@@ -74,7 +83,7 @@ def _marker_nodes() -> GeometryNodeTree:
     index = _named(tree, names.UMBILIC_INDEX, -700.0)
     radius = _named(tree, _RADIUS, -500.0)
     join = _node(tree, "GeometryNodeJoinGeometry", 500.0)
-    for sign, color in (("Positive", ROLES["UMBILICS"].color), ("Negative", _NEGATIVE_COLOR)):
+    for sign, color in SIGN_COLORS.items():
         compare = _node(tree, "FunctionNodeCompare", -300.0)
         compare.operation = "GREATER_THAN" if sign == "Positive" else "LESS_THAN"
         ball = _node(tree, "GeometryNodeMeshIcoSphere", -300.0)

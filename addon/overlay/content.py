@@ -11,6 +11,7 @@ from ..bridge import names, units
 from ..bridge.companions import ROLES, companions
 from ..bridge.display import CURVATURES, analyzed_objects, class_colors
 from ..bridge.drawings import LINE_ROLES
+from ..bridge.markers import SIGN_COLORS, umbilic_signs
 from ..bridge.results import read_report
 from ..bridge.subject import carrier_of, source_of
 from ..geometry.classification import SurfaceClass
@@ -65,10 +66,23 @@ def line_legend(scene: Scene, objects: list[Object]) -> Legend | None:
             rows.append((_display_color(ROLES[role].color), ROLES[role].ending, f"{count:,}"))
     if not rows:
         return None
+    rows += _umbilic_rows(objects)
     blocks = [read_report(obj) or {} for obj in objects]
     spacings = {b[key]["spacing"] for b in blocks for key in (LINES, ASYMPTOTIC_LINES) if key in b}
     notes = tuple(f"{units.length_text(scene, spacing)} apart" for spacing in sorted(spacings))
     return ClassKey("Curvature Lines", tuple(rows), notes)
+
+
+def _umbilic_rows(objects: list[Object]) -> list[tuple[tuple[float, float, float], str, str]]:
+    """Return the rows of a key for umbilics of either sign, where there are some."""
+    marks = [each for obj in objects for each in companions(source_of(obj), ("UMBILICS",))]
+    signs = [umbilic_signs(each) for each in marks]
+    counts = {sign: sum(each[sign] for each in signs) for sign in SIGN_COLORS}
+    return [
+        (_display_color(color), f"Umbilics, Index {sign}", f"{counts[sign]:,}")
+        for sign, color in SIGN_COLORS.items()
+        if counts[sign]
+    ]
 
 
 def tolerance_notes(scene: Scene, obj: Object) -> tuple[str, ...]:
