@@ -11,6 +11,7 @@ from architectural_curvature.addon.geometry.errors import InvalidSettingError
 from architectural_curvature.addon.geometry.lines.field import ASYMPTOTIC, PRINCIPAL, Family
 from architectural_curvature.addon.geometry.lines.layout import trace_evenly
 from architectural_curvature.addon.geometry.lines.lines import CurvatureLines, LineEnd
+from architectural_curvature.addon.geometry.lines.simplification import simplified
 from architectural_curvature.addon.geometry.lines.tracer import (
     LineField,
     build_line_field,
@@ -134,7 +135,8 @@ def test_lines_are_evenly_spaced_without_holes(name: str) -> None:
         chosen = traced.chosen(np.flatnonzero(traced.family == family))
         hole = cKDTree(chosen.points).query(middle)[0]
         assert 2.0 * hole.max() < 2.5 * spacing
-        distance, other = cKDTree(chosen.points).query(chosen.points, k=80)
+        found = cKDTree(chosen.points).query(chosen.points, k=80)
+        distance, other = np.asarray(found[0]), np.asarray(found[1])
         line = chosen.point_line
         distance[line[other] == line[:, None]] = np.inf
         nearest = distance.min(axis=1)
@@ -262,3 +264,17 @@ def test_a_single_triangle_and_a_plane_have_no_lines() -> None:
     assert trace_some(plane).count == 0
     triangle = field_of(mesh_from_polygons(np.eye(3), [[0, 1, 2]]))
     assert trace_evenly(triangle, 0.1).count == 0
+
+
+def test_simplified_lines_stay_within_the_tolerance() -> None:
+    lines = trace_some(field_on(sample_patch(PATCHES["torus"], "irregular", (60, 30))), 4)
+    few = simplified(lines, 0.01)
+    assert (few.ends == lines.ends).all()
+    assert len(few.points) < 0.5 * len(lines.points)
+    # Between two points at a time, which no chord is longer than, the line is searched finely.
+    for line in range(lines.count):
+        corner = few.line_points(line)
+        share = np.linspace(0.0, 1.0, 200)[:, None, None]
+        fine = (1.0 - share) * corner + share * np.roll(corner, -1, axis=0)
+        away = cKDTree(fine.reshape(-1, 3)).query(lines.line_points(line))[0]
+        assert np.max(away) < 0.0101

@@ -14,6 +14,8 @@ from .field import DirectionField
 from .lines import CurvatureLines, LineEnd
 from .samples import Samples, close_pairs
 from .steps import cross, go_straight, start_walkers, unfold
+from .vectors import cross as product
+from .vectors import unit
 
 #: A line closes if its arms miss each other by no more than this share of its length, more where
 #: directions are uncertain, or of a side of a triangle, and of the spacing.
@@ -100,8 +102,8 @@ def _meetings(field: DirectionField, state: Arms, samples: Samples, rules: Rules
     behind = np.flatnonzero(far & (ahead <= 0.0))
     order = behind[np.lexsort((forward.arc[one[behind]], forward.arm[one[behind]]))]
     first = order[np.flatnonzero(np.diff(forward.line[one[order]], prepend=-1))]
-    left = np.cross(forward.normal[one[first]], forward.heading[one[first]])
-    left /= np.linalg.norm(left, axis=1)[:, None] + 1e-300
+    left = product(forward.normal[one[first]], forward.heading[one[first]])
+    left = unit(left)
     found = _Meetings(
         line=forward.line[one[first]],
         forward=forward.arc[one[first]],
@@ -162,10 +164,10 @@ def _closed(field: DirectionField, samples: Samples, meetings: _Meetings) -> tup
     share = 0.5 * samples.arc / whole[samples.line, is_backward]
     way = miss[samples.line] * share * np.where(is_backward == 1, -1.0, 1.0)
     moving = np.flatnonzero(np.abs(way) > 1e-6 * field.mesh.edge_length)
-    left = np.cross(samples.normal[moving], samples.heading[moving])
+    left = product(samples.normal[moving], samples.heading[moving])
     # Headings of the backward arm run against the line.
     left *= np.where((is_backward[moving] == 1) != (way[moving] < 0.0), -1.0, 1.0)[:, None]
-    left /= np.linalg.norm(left, axis=1)[:, None] + 1e-300
+    left = unit(left)
     triangle, barycentric = samples.triangle.copy(), samples.barycentric.copy()
     triangle[moving], barycentric[moving] = shifted(
         field, triangle[moving], barycentric[moving], left, np.abs(way[moving])

@@ -20,6 +20,7 @@ from ..engine.normals import tangent_frame
 from ..surface import Surface
 from ..types import Complexes, Flags, Floats, Indices
 from .triangulation import Triangulation, triangulate
+from .vectors import cross, dot, unit
 
 #: Cosine between a triangle and the interpolated normal that is taken where the mesh folds over.
 _STEEPEST = 0.1
@@ -31,8 +32,6 @@ _UMBILIC = 0.05
 #: Standard error of half the difference of k1 and k2 over the uncertainty of either (measured
 #: 0.05 to 0.4; less where the field is smoothed).
 _CALIBRATION = 0.25
-#: Axes after and before each axis.
-_AFTER, _BEFORE = np.array([1, 2, 0]), np.array([2, 0, 1])
 
 
 class Family(IntEnum):
@@ -147,20 +146,19 @@ class DirectionField:
         values = np.einsum("ncf,nc->nf", at_corner, barycentric)
         matrix = values[:, :9].reshape(-1, 3, 3)
         frame = self.mesh.frame[triangle]
-        normal = _unit(values[:, 9:12])
-        first = frame[:, 0] - _dot(frame[:, 0], normal)[:, None] * normal
-        first = _unit(first)
-        second = _cross(normal, first)
+        normal = unit(values[:, 9:12])
+        first = unit(frame[:, 0] - dot(frame[:, 0], normal)[:, None] * normal)
+        second = cross(normal, first)
         applied = np.einsum("nij,nj->ni", matrix, first)
-        bend = 0.5 * (_dot(first, applied) - np.einsum("ni,nij,nj->n", second, matrix, second))
-        twist = _dot(second, applied)
+        bend = 0.5 * (dot(first, applied) - np.einsum("ni,nij,nj->n", second, matrix, second))
+        twist = dot(second, applied)
         angle = 0.5 * np.arctan2(twist, bend)
         strength = np.hypot(twist, bend)
         angle, strength = _turned(angle, strength, values[:, 12], family)
         tangent = np.cos(angle)[:, None] * first + np.sin(angle)[:, None] * second
         flat = frame[:, 2]
-        cosine = np.maximum(_dot(normal, flat), _STEEPEST)
-        course = _unit(tangent - (_dot(tangent, flat) / cosine)[:, None] * normal)
+        cosine = np.maximum(dot(normal, flat), _STEEPEST)
+        course = unit(tangent - (dot(tangent, flat) / cosine)[:, None] * normal)
         return tangent, course, strength
 
 
@@ -225,16 +223,3 @@ def _turned(
         saddle = np.sqrt(np.maximum(strength**2 - mean**2, 0.0))
         strength = np.where(is_asymptotic, saddle, strength)
     return angle, strength
-
-
-def _dot(a: Floats, b: Floats) -> Floats:
-    return np.einsum("ni,ni->n", a, b)
-
-
-def _unit(vectors: Floats) -> Floats:
-    return vectors / np.sqrt(_dot(vectors, vectors) + 1e-300)[:, None]
-
-
-def _cross(a: Floats, b: Floats) -> Floats:
-    # numpy's own takes several times as long for few vectors.
-    return a[:, _AFTER] * b[:, _BEFORE] - a[:, _BEFORE] * b[:, _AFTER]

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..types import Flags, Floats, Indices
 from .field import DirectionField
+from .vectors import unit
 
 Kind = TypeVar("Kind", bound="Trail")
 
@@ -56,7 +57,7 @@ class Trail:
     @property
     def signed_arc(self) -> Floats:
         """(p,) way along the line, negative behind the seed."""
-        return np.where(self.arm % 2 == 0, 1.0, -1.0) * self.arc
+        return (self.arc * (1 - 2 * (self.arm % 2))).astype(np.float64)
 
     def chosen(self, items: Indices | Flags) -> Self:
         """Return some of the places: by numbers or flags."""
@@ -80,15 +81,9 @@ class Samples(Trail):
 
     def keys(self, spacing: float) -> Floats:
         """Return points whose distance is that of the samples on their surface, (p, 7)."""
-        size = np.sqrt((self.normal**2).sum(axis=1) + 1e-300)[:, None]
-        return np.concatenate(
-            [
-                self.position,
-                _NORMAL * spacing * self.normal / size,
-                _FAMILY * spacing * self.family[:, None],
-            ],
-            axis=1,
-        )
+        direction = _NORMAL * spacing * unit(self.normal)
+        family = (_FAMILY * spacing * self.family[:, None]).astype(np.float64)
+        return np.concatenate([self.position, direction, family], axis=1)
 
 
 def take_samples(field: DirectionField, trail: Trail) -> Samples:

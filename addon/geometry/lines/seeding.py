@@ -16,6 +16,7 @@ from .lines import CurvatureLines
 from .samples import Samples, Trail, close_pairs, distances, take_samples
 from .seeds import Seeds, joined_seeds, make_seeds
 from .tracer import LineField, is_usable
+from .vectors import cross, unit
 
 #: The family that crosses each one.
 _ACROSS = {
@@ -174,8 +175,8 @@ def gap_seeds(
     step = samples_along(field, placed, 0.5 * spacing, 0)
     side = np.repeat([1.0, -1.0], len(step))
     both = step.chosen(np.tile(np.arange(len(step)), 2))
-    left = side[:, None] * np.cross(both.normal, both.heading)
-    left /= np.linalg.norm(left, axis=1)[:, None] + 1e-300
+    left = side[:, None] * cross(both.normal, both.heading)
+    left = unit(left)
     # Most have a neighbor already: that shows without walking there.
     guess = replace(both, position=both.position + spacing * left)
     is_open = distances(guess, samples, spacing, _GUESS * spacing) == np.inf
@@ -239,7 +240,7 @@ def _course(lines: CurvatureLines) -> tuple[Floats, Floats]:
     ahead = np.roll(move, -1, axis=0)
     last = lines.start[1:] - 1
     ahead[last] = move[last]
-    return arc, ahead / (np.linalg.norm(ahead, axis=1)[:, None] + 1e-300)
+    return arc, unit(ahead)
 
 
 def _moved(
@@ -251,7 +252,7 @@ def _moved(
         field, Trail(samples.arm, samples.arc, triangle, barycentric, heading, samples.family)
     )
     gone = found.position - samples.position
-    return found, gone / (np.linalg.norm(gone, axis=1)[:, None] + 1e-300)
+    return found, unit(gone)
 
 
 def _gaps(found: Samples, samples: Samples, gone: Floats, spacing: float) -> Floats:

@@ -11,6 +11,8 @@ import numpy as np
 from ..types import Flags, Floats, Indices
 from .field import DirectionField
 from .triangulation import Triangulation
+from .vectors import cross as product
+from .vectors import dot, unit
 
 #: Most turn of a line from one step to the next, in radians; more is taken in shorter steps, but
 #: not in shorter ones than this share.
@@ -107,7 +109,7 @@ def follow(field: DirectionField, walkers: Walkers, reach: Floats) -> tuple[Floa
     middle = start + (0.5 * length)[:, None] * guess
     tangent, course, _ = field.evaluate(triangle, middle, walkers.family)
     tangent, course = _aligned(tangent, course, walkers.heading)
-    cosine = np.einsum("nx,nx->n", tangent, walkers.heading)
+    cosine = dot(tangent, walkers.heading)
     bent = np.flatnonzero((cosine < _STRAIGHT) & (length > 0.0))
     if len(bent):
         turn = np.arccos(np.clip(cosine[bent], -1.0, 1.0))
@@ -136,7 +138,7 @@ def go_straight(mesh: Triangulation, walkers: Walkers, reach: Floats) -> tuple[F
     frame = mesh.frame[walkers.triangle]
     along = np.einsum("nix,nx->ni", frame[:, :2], walkers.heading)
     course = np.einsum("nix,ni->nx", frame[:, :2], along)
-    course /= np.sqrt((course**2).sum(axis=1) + 1e-300)[:, None]
+    course = unit(course)
     rate = np.einsum("ncx,nx->nc", mesh.gradient[walkers.triangle], course)
     way, side = _exit(walkers.barycentric, rate)
     side = np.where(reach < way, -1, side)
@@ -194,9 +196,9 @@ def unfold(mesh: Triangulation, walkers: Walkers, side: Indices) -> None:
     here = np.flatnonzero(side >= 0)
     triangle = walkers.triangle[here]
     inward = mesh.gradient[triangle, np.argmin(walkers.barycentric[here], axis=1)]
-    inward = inward / np.sqrt((inward**2).sum(axis=1) + 1e-300)[:, None]
-    along: Floats = np.cross(mesh.frame[triangle, 2], inward)
-    part = np.clip(np.einsum("nx,nx->n", walkers.heading[here], along), -1.0, 1.0)
+    inward = unit(inward)
+    along = product(mesh.frame[triangle, 2], inward)
+    part = np.clip(dot(walkers.heading[here], along), -1.0, 1.0)
     walkers.heading[here] = part[:, None] * along + np.sqrt(1.0 - part * part)[:, None] * inward
 
 
@@ -218,7 +220,7 @@ def _on_side(barycentric: Floats, side: Indices) -> Floats:
 
 def _aligned(tangent: Floats, course: Floats, heading: Floats) -> tuple[Floats, Floats]:
     """Return directions with the sign that goes on as before."""
-    backward = np.einsum("nx,nx->n", tangent, heading) < 0.0
+    backward = dot(tangent, heading) < 0.0
     sign = np.where(backward, -1.0, 1.0)[:, None]
     return sign * tangent, sign * course
 

@@ -71,7 +71,9 @@ class Transport:
         at_start = deviator[start] * np.exp(-2j * self.next_angle)
         at_end = deviator[end] * np.exp(-2j * np.roll(self.previous_angle, -1, axis=1))
         is_forward = start < end
-        quotient = np.where(is_forward, at_end * at_start.conj(), at_start * at_end.conj())
+        quotient = at_end * at_start.conj()
+        # Equal and opposite for both triangles even where the turn is half a circle.
+        quotient[~is_forward] = quotient[~is_forward].conj()
         angle = np.arctan2(quotient.imag, quotient.real)
         return np.where(is_forward, angle, -angle)
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..surface import Surface
 from ..types import Flags, Floats, Indices
+from .vectors import cross, dot, unit
 
 #: Double area over squared longest side below which a triangle is taken for a segment.
 _THINNEST = 1e-12
@@ -50,7 +51,7 @@ class Triangulation:
     def frame(self) -> Floats:
         """(t, 3, 3) right-handed orthonormal rows: along side 2, across it, normal."""
         a, b, c = (self.position[self.triangles[:, i]] for i in range(3))
-        normal: Floats = np.cross(b - a, c - a)
+        normal = cross(b - a, c - a)
         length = np.sqrt((normal**2).sum(axis=1))
         first = b - a
         size = np.sqrt((first**2).sum(axis=1))
@@ -58,8 +59,7 @@ class Triangulation:
         first[size == 0.0] = (1.0, 0.0, 0.0)
         normal = normal / np.where(length > 0.0, length, 1.0)[:, None]
         normal[length == 0.0] = _across(first[length == 0.0])
-        across: Floats = np.cross(normal, first)
-        return np.stack([first, across, normal], axis=1)
+        return np.stack([first, cross(normal, first), normal], axis=1)
 
     @cached_property
     def gradient(self) -> Floats:
@@ -68,19 +68,20 @@ class Triangulation:
         sides = np.stack([c - b, a - c, b - a], axis=1)
         longest = (sides**2).sum(axis=2).max(axis=1)
         area = np.maximum(self.double_area, _THINNEST * longest + 1e-300)
-        return np.cross(self.frame[:, None, 2], sides) / area[:, None, None]
+        return cross(self.frame[:, None, 2], sides) / area[:, None, None]
 
     @cached_property
     def double_area(self) -> Floats:
         """(t,) twice the areas of the triangles in m²."""
         a, b, c = (self.position[self.triangles[:, i]] for i in range(3))
-        return np.linalg.norm(np.cross(b - a, c - a), axis=1)
+        normal = cross(b - a, c - a)
+        return np.sqrt(dot(normal, normal))
 
     @cached_property
     def edge_length(self) -> float:
         """Median length of the sides of triangles that have area, in meters."""
         a, b = self.position[self.triangles[:, 0]], self.position[self.triangles[:, 1]]
-        return float(np.median(np.linalg.norm(b - a, axis=1)))
+        return float(np.median(np.sqrt(dot(b - a, b - a))))
 
     @property
     def sector_count(self) -> int:
@@ -150,8 +151,7 @@ def _side_labels(surface: Surface) -> tuple[Indices, Flags]:
     return label, is_outline & is_rim_corner[start]
 
 
-def _across(unit: Floats) -> Floats:
+def _across(vectors: Floats) -> Floats:
     """Return unit vectors at right angles to unit vectors, (n, 3)."""
-    axis = np.eye(3)[np.argmin(np.abs(unit), axis=1)]
-    normal = np.cross(unit, axis)
-    return normal / np.linalg.norm(normal, axis=1)[:, None]
+    axis = np.eye(3)[np.argmin(np.abs(vectors), axis=1)]
+    return unit(cross(vectors, axis))

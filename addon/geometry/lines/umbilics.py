@@ -60,8 +60,8 @@ class Umbilics:
     triangle_area : (t,) int64
         Umbilic area of each triangle, -1 for none.
     area_index : (a,) float64
-        Index of each area: the turn of the directions around it, or 0 for an area that contains a
-        whole open piece.
+        Index of each area: the turn of the directions around it, or 0 for an area that reaches a
+        rim or a crease, around which one cannot walk.
     area_size : (a,) float64
         In m².
     """
@@ -107,10 +107,13 @@ def find_umbilics(field: DirectionField, transport: Transport, zone: Indices) ->
     triangle_area, area_count = _areas(mesh.triangles, zone)
     is_inside = triangle_area >= 0
     area_index = sum_by_group(triangle_area[is_inside], index[is_inside], area_count)
+    # Around an area that reaches the outline of the surface one cannot walk.
+    is_open = is_inside & (mesh.neighbor < 0).any(axis=1)
+    area_index[triangle_area[is_open]] = 0.0
     area_size = 0.5 * sum_by_group(
         triangle_area[is_inside], mesh.double_area[is_inside], area_count
     )
-    half = np.round(2.0 * index).astype(np.int64)
+    half = np.rint(2.0 * index).astype(np.int64)
     half[is_inside] = 0
     zeros = _grouped(field, find_zeros(field, np.flatnonzero(half)), half, zone)
     return Umbilics(
