@@ -17,6 +17,8 @@ from .geometry.settings import (
     Smoothing,
 )
 from .preset_text import LIMITS
+from .tracing.hatching import HatchSettings
+from .tracing.settings import LineSettings, Plan, families_of
 
 CRITERION_OF = {
     name: CriterionKind[kind]
@@ -25,6 +27,11 @@ CRITERION_OF = {
     if name != "panel_size"
 }
 """Which criterion a limit is of; the panel size counts with all of them."""
+
+LINE_NAMES = ("families", "thickness", "fit_curves", "fit_tolerance")
+"""Properties of operators that trace lines, which scenes have under the same names."""
+
+_HATCHING = ("tone", "spacing", "light")
 
 
 def adopt_settings(operator: Operator, context: Context, names: tuple[str, ...]) -> None:
@@ -112,6 +119,59 @@ def point_settings(context: Context) -> SegmentationSettings:
     }
     return (
         settings if limits[settings.criterion] else replace(settings, criterion=CriterionKind.PANEL)
+    )
+
+
+def adopt_kind(operator: Operator, context: Context) -> None:
+    """Fill the kind of lines from the scene where nobody has set it."""
+    if not operator.properties.is_property_set("kind"):
+        operator.kind = context.scene.curvature.line_kind
+
+
+def line_plan(context: Context, operator: Operator | None = None) -> Plan:
+    """Return how to trace lines.
+
+    Raises
+    ------
+    InvalidSettingError
+        If a value makes no sense.
+    """
+    kind = context.scene.curvature.line_kind
+    if operator is not None and operator.properties.is_property_set("kind"):
+        kind = operator.kind
+    smoothing_length = getattr(operator, "smoothing_length", 0.0)
+    return Plan(
+        # The smoothing length of lines is that of their directions, not of the curvature.
+        analysis_settings(context),
+        point_settings(context),
+        LineSettings(
+            families=families_of(kind, str(_choose(context, operator, "families"))),
+            spacing=as_typed(float(_choose(context, operator, "spacing"))),
+            smoothing_length=as_typed(float(smoothing_length)),
+            is_fitted=bool(_choose(context, operator, "fit_curves")),
+            tolerance=as_typed(float(_choose(context, operator, "fit_tolerance"))),
+            thickness=as_typed(float(_choose(context, operator, "thickness"))),
+        ),
+    )
+
+
+def adopt_hatching(operator: Operator, context: Context) -> None:
+    """Fill properties of a hatching that nobody has set from the scene."""
+    for name in _HATCHING:
+        if not operator.properties.is_property_set(name):
+            setattr(operator, name, getattr(context.scene.curvature, f"hatch_{name}"))
+
+
+def hatch_settings(context: Context, operator: Operator) -> HatchSettings:
+    """Return how to hatch: what an operator was told, else the scene's settings."""
+    told = {name for name in _HATCHING if operator.properties.is_property_set(name)}
+    scene = context.scene.curvature
+    x, y, z = operator.light if "light" in told else scene.hatch_light
+    spacing = operator.spacing if "spacing" in told else 0.0
+    return HatchSettings(
+        tone=str(operator.tone if "tone" in told else scene.hatch_tone),
+        spacing=as_typed(float(spacing or scene.hatch_spacing)),
+        light=(float(x), float(y), float(z)),
     )
 
 

@@ -20,6 +20,17 @@ def has_mesh(operator: type[Operator], context: Context) -> bool:
     return True
 
 
+def has_active_mesh(operator: type[Operator], context: Context) -> bool:
+    """Ask for an active mesh object in Object or Edit Mode."""
+    if not has_mesh(operator, context):
+        return False
+    active = context.object
+    if active is None or not (active.type == "MESH" or active.curvature.companion_of):
+        operator.poll_message_set("Make a mesh object the active one")
+        return False
+    return True
+
+
 def has_results(operator: type[Operator], context: Context) -> bool:
     """Ask for an analyzed mesh somewhere in the scene."""
     if context.mode not in {"OBJECT", "EDIT_MESH"}:
@@ -49,6 +60,17 @@ def has_scene(operator: type[Operator], context: Context) -> bool:
     return True
 
 
+def has_lines(operator: type[Operator], context: Context) -> bool:
+    """Ask for a selected mesh, and curvature lines in the scene."""
+    if not has_mesh(operator, context):
+        return False
+    # An empty set of lines has no object.
+    if not any(obj.type == "CURVE" and obj.curvature.companion_of for obj in context.scene.objects):
+        operator.poll_message_set("Trace curvature lines first")
+        return False
+    return True
+
+
 def _selected_meshes(context: Context) -> list[Object]:
     objects = [*context.selected_objects, *context.objects_in_mode_unique_data]
-    return [obj for obj in objects if obj.type == "MESH"]
+    return [obj for obj in objects if obj.type == "MESH" or obj.curvature.companion_of]

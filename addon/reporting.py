@@ -40,7 +40,9 @@ def conclude(operator: Operator, outcome: Outcome, verb: str) -> set[str]:
         parts.append(
             f"{count} {'warning is' if count == 1 else 'warnings are'} listed under Results"
         )
-    if count == 1 and outcome.carriers[0].data.curvature.is_segmented:
+    if outcome.note:
+        parts[0] += f": {outcome.note}"
+    elif len(outcome.carriers) == 1 and outcome.carriers[0].data.curvature.is_segmented:
         parts[0] += f": {shares_text(outcome.carriers[0])}"
     is_sound = not outcome.refused and not outcome.warnings
     operator.report({"INFO"} if is_sound else {"WARNING"}, "; ".join(parts))

@@ -12,6 +12,7 @@ from typing import TypeVar
 from bpy.types import Context, Mesh, Object
 
 from .bridge import cache, display, results
+from .bridge.companions import discard_companions
 from .bridge.criteria import preset_of
 from .bridge.edits import Edits, read_edits
 from .bridge.material import show as show_material
@@ -46,11 +47,13 @@ _ANALYSIS = 0.7
 class Outcome:
     """What became of the objects of a task.
 
-    `carriers` have the results; `refused` says for each of the others what is wrong with it.
+    `carriers` have the results; `refused` says for each of the others what is wrong with it;
+    `note` says in words what was found.
     """
 
     carriers: list[Object] = field(default_factory=list)
     refused: list[str] = field(default_factory=list)
+    note: str = ""
 
     @property
     def meshes(self) -> list[Mesh]:
@@ -89,14 +92,14 @@ def analyze_objects(
     Steps of Outcome
     """
 
-    def compute(reading: Reading, _edits: Edits, on_progress: Progress) -> Subject:
+    def compute(reading: Reading, on_progress: Progress) -> Subject:
         return reading.analyzed(on_progress)
 
-    def write(subject: Subject, edits: Edits) -> Object:
-        return _write_analysis(context, subject, settings, _criterion(subject, panel), edits)
+    def write(subject: Subject) -> Object:
+        return write_analysis(context, subject, settings, criterion_of(subject, panel))
 
     with object_mode(context):
-        outcome = yield from _for_each(context, objects, settings, compute, write)
+        outcome = yield from for_each(context, objects, settings, compute, write)
         _show(context, outcome, ("GAUSSIAN", "MEAN", "K1", "K2"))
     return outcome
 
@@ -127,31 +130,34 @@ def segment_objects(
     Steps of Outcome
     """
     preset = preset_of(context.scene, panel)
+    edits: dict[str, Edits] = {}
 
-    def compute(
-        reading: Reading, edits: Edits, on_progress: Progress
-    ) -> tuple[Subject, Segmentation]:
+    def prepare(reading: Reading) -> None:
+        edits[reading.source.name_full] = given or read_edits(reading)
+
+    def compute(reading: Reading, on_progress: Progress) -> tuple[Subject, Segmentation]:
         subject = reading.analyzed(part_of(on_progress, 0.0, _ANALYSIS))
-        analysis = subject.analysis
+        analysis, given_by_hand = subject.analysis, edits[reading.source.name_full]
         return subject, segment(
             analysis.surface,
             analysis.curvature,
-            _criterion(subject, panel),
+            criterion_of(subject, panel),
             panel.min_area,
-            edits.locked,
-            edits.cuts,
+            given_by_hand.locked,
+            given_by_hand.cuts,
             part_of(on_progress, _ANALYSIS, 1.0),
         )
 
-    def write(found: tuple[Subject, Segmentation], edits: Edits) -> Object:
+    def write(found: tuple[Subject, Segmentation]) -> Object:
         subject, segmentation = found
-        carrier = _write_analysis(context, subject, settings, segmentation.criterion, edits)
-        results.write_segmentation(subject, carrier, segmentation, panel, edits, preset)
+        own = edits[subject.source.name_full]
+        carrier = write_analysis(context, subject, settings, segmentation.criterion, own)
+        results.write_segmentation(subject, carrier, segmentation, panel, own, preset)
         display.write_class_colors(carrier.data, context.scene.curvature)
         return carrier
 
     with object_mode(context):
-        outcome = yield from _for_each(context, objects, settings, compute, write, given)
+        outcome = yield from for_each(context, objects, settings, compute, write, prepare)
         _show(context, outcome, ("CLASS", "REGION"))
     return outcome
 
@@ -164,45 +170,47 @@ def clear_objects(context: Context, objects: list[Object]) -> int:
     return cleared
 
 
-def _for_each(
+def for_each(
     context: Context,
     objects: list[Object],
     settings: AnalysisSettings,
-    compute: Callable[[Reading, Edits, Progress], Found],
-    write: Callable[[Found, Edits], Object],
-    given: Edits | None = None,
+    compute: Callable[[Reading, Progress], Found],
+    write: Callable[[Found], Object],
+    prepare: Callable[[Reading], None] | None = None,
 ) -> Steps[Outcome]:
-    """Read and compute one object after the other, then write all.
+    """Read and compute one object after the other, then write all; in Object Mode.
 
     A refusal stops only its own object. Whoever cancels finds everything as it was.
     """
     outcome = Outcome()
-    computed: list[tuple[Found, Edits]] = []
+    computed: list[Found] = []
     for number, obj in enumerate(objects):
         try:
             reading = read_object(obj, context.scene, context.evaluated_depsgraph_get(), settings)
-            edits = given or read_edits(reading)
+            if prepare is not None:
+                prepare(reading)
             found = yield Work(
-                partial(compute, reading, edits), number / len(objects), (number + 1) / len(objects)
+                partial(compute, reading), number / len(objects), (number + 1) / len(objects)
             )
-            computed.append((found, edits))
+            computed.append(found)
         except CurvatureError as error:
             outcome.refused.append(f"{obj.name}: {error}")
-    outcome.carriers += [write(found, edits) for found, edits in computed]
+    outcome.carriers += [write(found) for found in computed]
     return outcome
 
 
-def _write_analysis(
+def write_analysis(
     context: Context,
     subject: Subject,
     settings: AnalysisSettings,
     criterion: Criterion,
-    edits: Edits,
+    edits: Edits | None = None,
 ) -> Object:
+    """Write an analysis where it is not stored yet, and return the object that carries it."""
     _drop_results_elsewhere(context, subject)
     carrier = prepare_carrier(subject, context.scene, context.evaluated_depsgraph_get())
     if not results.is_current(carrier.data, subject):
-        results.write_curvature(subject, carrier, settings, edits)
+        results.write_curvature(subject, carrier, settings, edits or read_edits(subject))
         display.write_curvature_colors(carrier.data, subject.analysis, context.scene.curvature)
     results.write_point_types(carrier.data, subject.analysis, criterion)
     reveal_carrier(context, subject.source, carrier)
@@ -218,7 +226,8 @@ def _drop_results_elsewhere(context: Context, subject: Subject) -> None:
         results.clear_results(source.data)
 
 
-def _criterion(subject: Subject, panel: SegmentationSettings) -> Criterion:
+def criterion_of(subject: Subject, panel: SegmentationSettings) -> Criterion:
+    """Return the criterion for a model, with defaults where the user gave no sizes."""
     return resolve_criterion(panel, subject.analysis.surface.mesh.diagonal)
 
 
@@ -238,6 +247,6 @@ def _clear(context: Context, obj: Object) -> bool:
     for user in users_of(source.data):
         show_material(user, False)
     had_results = results.clear_results(source.data) if source.data.library is None else False
-    had_parts = [discard_parts(source), discard_outlines(source)]
+    had_parts = [discard_parts(source), discard_outlines(source), discard_companions(source)]
     had_copy = discard_carrier(context, source)
     return had_results or had_copy or any(had_parts)

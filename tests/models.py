@@ -4,7 +4,9 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Sequence
+from typing import Any
 
 import bpy
 import numpy as np
@@ -127,3 +129,37 @@ def deselect_all(obj: Object) -> None:
     for name in (".select_vert", ".select_edge", ".select_poly"):
         if name in obj.data.attributes:
             obj.data.attributes.remove(obj.data.attributes[name])
+
+
+RING, TUBE = 2.0, 0.8
+"""Radii in Blender units of the torus below."""
+
+
+def add_torus(name: str = "Ring", around: int = 72, across: int = 32) -> Object:
+    """Add a closed torus of quads around the z axis, normals outward."""
+    u, v = (
+        values.ravel()
+        for values in np.meshgrid(
+            np.linspace(0.0, 2.0 * np.pi, around, endpoint=False),
+            np.linspace(0.0, 2.0 * np.pi, across, endpoint=False),
+            indexing="ij",
+        )
+    )
+    radius = RING + TUBE * np.cos(v)
+    vertices = np.stack([radius * np.cos(u), radius * np.sin(u), TUBE * np.sin(v)], axis=1)
+    i, j = (number.ravel() for number in np.indices((around, across)))
+    k, m = (i + 1) % around, (j + 1) % across
+    faces = np.stack([i * across + j, k * across + j, k * across + m, i * across + m], axis=1)
+    return add_mesh(name, vertices, faces)
+
+
+def world_points(curve: Object) -> Array:
+    """Return the points of all splines of a curve object in the world, (p, 3)."""
+    world = np.array(curve.matrix_world)
+    points = np.array([point.co[:3] for spline in curve.data.splines for point in spline.points])
+    return points @ world[:3, :3].T + world[:3, 3]
+
+
+def report_of(obj: Object) -> dict[str, Any]:
+    """Return what was reported of an object."""
+    return json.loads(obj.data.curvature.report)

@@ -8,6 +8,7 @@ import json
 import os
 import subprocess
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 
 from . import build, environments
@@ -75,8 +76,24 @@ def run() -> int:
 def _segment(python: Path, zip_file: Path, results: list[Path], user: Path) -> int:
     blend, report, image = results
     arguments = ["segment", MODEL, "--output", blend, "--report", report, "--image", image]
+    return run_command(python, zip_file, [*arguments, "--overwrite"], user)
+
+
+def run_command(python: Path, zip_file: Path, arguments: Sequence[str | Path], user: Path) -> int:
+    """Run the extension's command in the bpy module, and return its exit status.
+
+    Parameters
+    ----------
+    python : Path
+        Of an environment with bpy.
+    zip_file : Path
+    arguments : sequence of str or Path
+        What follows `blender --command curvature`.
+    user : Path
+        Empty folder for Blender's user files.
+    """
     return subprocess.run(
-        [python, "-c", _SESSION, zip_file, *arguments, "--overwrite"],
+        [python, "-c", _SESSION, zip_file, *arguments],
         env=python_environment(BLENDER_USER_RESOURCES=os.fspath(user)),
         check=False,
     ).returncode

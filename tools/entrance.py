@@ -8,6 +8,7 @@ import argparse
 import subprocess
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 
 from .blenders import BLENDERS, DEFAULT_BLENDER, PLATFORMS, SERIES
 from .errors import DevError
@@ -115,6 +116,13 @@ def _parser() -> argparse.ArgumentParser:
         "presets", help="write assets/presets and docs/materials.md from their table"
     ).set_defaults(run=_presets)
 
+    pictures = commands.add_parser(
+        "pictures", help="render curvature lines on models into docs/pictures"
+    )
+    pictures.add_argument("models", nargs="*", type=Path, metavar="MODEL", help="with z up")
+    pictures.add_argument("--spacing", type=float, metavar="M", help="between the lines")
+    pictures.set_defaults(run=_pictures)
+
     window = commands.add_parser(
         "window", help="test in a windowed Blender; arguments after -- go to pytest"
     )
@@ -191,6 +199,14 @@ def _wheels(_options: argparse.Namespace) -> int:
 
     for path in wheels.fetch(wheels.table()):
         print(path)
+    return 0
+
+
+def _pictures(options: argparse.Namespace) -> int:
+    from . import pictures
+
+    for path in pictures.write(options.models, options.spacing):
+        print(path.relative_to(ROOT))
     return 0
 
 

@@ -12,11 +12,16 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 
 from ..geometry.analysis import Analysis
+from ..geometry.lines.tracer import LineField
+
+#: Direction fields are large, and needed for the model at hand.
+_MOST_FIELDS = 2
 
 #: Together the kept analyses have at most this many corners, about 1 GB.
 _MOST_CORNERS = 12_000_000
 
 _kept: OrderedDict[str, Analysis] = OrderedDict()
+_fields: OrderedDict[str, LineField] = OrderedDict()
 _just_written: dict[str, str] = {}
 
 
@@ -33,6 +38,18 @@ def keep(fingerprint: str, analysis: Analysis) -> None:
     _kept.move_to_end(fingerprint)
     while len(_kept) > 1 and _corner_count() > _MOST_CORNERS:
         _kept.popitem(last=False)
+
+
+def find_field(key: str) -> LineField | None:
+    """Return the direction field of a model, None where it is not kept."""
+    return _fields.get(key)
+
+
+def keep_field(key: str, lines: LineField) -> None:
+    """Keep a direction field, and let go of the oldest where there are too many."""
+    _fields[key] = lines
+    while len(_fields) > _MOST_FIELDS:
+        _fields.popitem(last=False)
 
 
 @contextmanager
@@ -56,6 +73,7 @@ def just_written(mesh_name: str) -> Analysis | None:
 def clear() -> None:
     """Let go of all analyses."""
     _kept.clear()
+    _fields.clear()
 
 
 def _corner_count() -> int:

@@ -17,7 +17,7 @@ from . import names
 from .attributes import read_attribute, remove_attributes, write_attribute
 from .mesh import corner_vertices, polygon_starts, read_array
 from .region_list import region_names, write_names
-from .subject import Reading, carrier_of
+from .subject import Reading, Subject, carrier_of
 
 
 @dataclass(frozen=True)
@@ -52,12 +52,12 @@ def topology_of(mesh: Mesh) -> str:
     return _digest(corner_vertices(mesh), polygon_starts(mesh))
 
 
-def read_edits(reading: Reading) -> Edits:
+def read_edits(reading: Reading | Subject) -> Edits:
     """Return the edits of a model that fit it as it is now, with a warning where they do not.
 
     Parameters
     ----------
-    reading : Reading
+    reading : Reading or Subject
         The model as it is now.
     """
     carrier, mesh = carrier_of(reading.source), reading.mesh

@@ -132,7 +132,9 @@ def _weld_distance(mesh: Mesh) -> float:
 
 
 def _is_model(obj: Object) -> bool:
-    is_own = obj.type == "MESH" and not obj.hide_render and obj.curvature.source is None
+    links = obj.curvature
+    is_made = links.source is not None or links.companion_of is not None
+    is_own = obj.type == "MESH" and not obj.hide_render and not is_made
     return is_own and bool(len(obj.data.polygons) or obj.modifiers)
 
 

@@ -18,6 +18,9 @@ CUT = "curvature_cut"
 #: Regions of classes that a change of the model has made stale: their names are still needed.
 FORMER_REGION = ".curvature_former_region"
 
+UMBILIC_INDEX = "umbilic_index"
+UMBILIC_KIND = "umbilic_kind"
+
 COLORS = {
     "GAUSSIAN": "Gaussian Curvature",
     "MEAN": "Mean Curvature",

@@ -18,6 +18,7 @@ from ..geometry.display.colormap import linear_from_srgb
 from ..geometry.display.legend import LIGHT, Layout, Legend, lay_out
 from ..geometry.types import AnyArray, Floats
 from ..report.files import FileRefusedError, written_whole
+from .companions import companions
 from .mesh import positions
 from .outlines import outlines_of
 from .subject import source_of
@@ -41,8 +42,12 @@ def render(
     size: tuple[int, int],
     path: Path,
     eye: Direction = FRONT,
+    *,
+    is_plain: bool = False,
 ) -> None:
     """Render objects in their curvature colors, framed, with the legend in the lower left corner.
+
+    Their lines, umbilics and hatching are shown with them.
 
     Parameters
     ----------
@@ -55,6 +60,8 @@ def render(
         PNG file.
     eye : (float, float, float)
         Direction from the model to the eye.
+    is_plain : bool
+        Whether to show the models without their colors.
 
     Raises
     ------
@@ -69,11 +76,18 @@ def render(
         if legend is not None:
             key = _draw_legend(legend, scale, temporary)
         with _scene("Curvature Picture", size) as scene:
-            lines = [line for obj in objects for line in outlines_of(source_of(obj))]
+            lines = [
+                each
+                for obj in objects
+                for found in (outlines_of, companions)
+                for each in found(source_of(obj))
+            ]
             for shown in [*objects, *lines]:
                 scene.collection.objects.link(shown)
             _aim_camera(scene, objects, eye, key.shape[1] + margin if legend else 0)
             _shade_model(scene)
+            if is_plain:
+                scene.display.shading.color_type = "MATERIAL"
             picture = _render(scene, temporary)
         pixels = _over(np.array([*_BACKGROUND, 1.0]), picture)
         _paste(pixels, key, margin)

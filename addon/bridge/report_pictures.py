@@ -44,10 +44,12 @@ def four_sides(objects: list[Object], legend: Legend | None) -> list[Picture]:
         If the machine lacks what renders.
     """
     pictures = []
+    is_plain = not any(names.COLORS["CLASS"] in obj.data.color_attributes for obj in objects)
     with tempfile.TemporaryDirectory() as folder, _class_colors(objects):
         for number, (caption, eye) in enumerate(_VIEWS):
             path = Path(folder) / f"{number}.png"
-            picture.render(objects, None if number else legend, _SIZE, path, eye)
+            key = None if number else legend
+            picture.render(objects, key, _SIZE, path, eye, is_plain=is_plain)
             pictures.append(Picture(caption, path.read_bytes()))
     return pictures
 

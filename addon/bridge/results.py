@@ -16,6 +16,7 @@ from ..geometry.criterion import Criterion, classify_by
 from ..geometry.segmentation import Segmentation
 from ..geometry.settings import AnalysisSettings, SegmentationSettings, Smoothing
 from ..geometry.types import AnyArray, Floats
+from ..report.findings import FINDINGS
 from ..report.measures import measure_object
 from . import names
 from .attributes import remove_attributes, write_attribute
@@ -64,6 +65,7 @@ def write_curvature(
         write_attribute(mesh, name, "POINT", "FLOAT_VECTOR", _on_vertices(in_object, at_vertex))
     results = mesh.curvature
     if results.fingerprint != subject.fingerprint:
+        results.report = ""
         remove_attributes(mesh, names.CLASS_ATTRIBUTES)
         _forget_classes(mesh)
     results.fingerprint = subject.fingerprint
@@ -164,6 +166,13 @@ def read_report(obj: Object) -> dict[str, Any] | None:
     return block | outline_blocks(obj.data)
 
 
+def add_findings(mesh: Mesh, findings: dict[str, Any], outdated: tuple[str, ...] = ()) -> None:
+    """Add what was found on an analyzed mesh to its report, and drop what is outdated."""
+    block = json.loads(mesh.curvature.report)
+    kept = {key: value for key, value in block.items() if key not in outdated}
+    mesh.curvature.report = json.dumps({**kept, **findings}, allow_nan=False)
+
+
 def clear_results(mesh: Mesh) -> bool:
     """Remove every attribute and summary of ours from a mesh; return whether there was any."""
     removed = remove_attributes(mesh, names.ATTRIBUTES)
@@ -174,6 +183,13 @@ def clear_results(mesh: Mesh) -> bool:
     results.previous.clear()
     results.warnings.clear()
     return had_results
+
+
+def _findings(mesh: Mesh) -> dict[str, Any]:
+    """Return what was added to the report of the same analysis, which goes on holding."""
+    text = mesh.curvature.report
+    block = json.loads(text) if text else {}
+    return {key: block[key] for key in FINDINGS if key in block}
 
 
 def _forget_classes(mesh: Mesh) -> None:
@@ -191,8 +207,14 @@ def _write_summary(
 ) -> None:
     sentences = (*warnings, *subject.analysis.warnings, *_undefined_warning(subject.analysis))
     sentences += _sharing_warning(subject.source)
-    block = {"name": subject.source.name, "source": "", **block, "warnings": list(sentences)}
     results = mesh.curvature
+    block = {
+        "name": subject.source.name,
+        "source": "",
+        **block,
+        **_findings(mesh),
+        "warnings": list(sentences),
+    }
     results.warnings.clear()
     for sentence in sentences:
         results.warnings.add().text = sentence

@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Selection of faces by what they are."""
+"""Selection of faces by what they are, and what the user selected."""
 
 from __future__ import annotations
 
 import numpy as np
 from bpy.types import Mesh
 
-from ..geometry.types import Flags
-from .mesh import corner_edges, corner_vertices, polygon_sizes, read_array
+from ..geometry.types import AnyArray, Flags
+from .mesh import corner_edges, corner_vertices, polygon_sizes, positions, read_array
 
 _EDGE_SELECTION = ".select_edge"
 
@@ -39,3 +39,15 @@ def select_faces(mesh: Mesh, is_wanted: Flags, extend: bool) -> int:
     mesh.polygons.foreach_set("select", is_wanted)
     mesh.update()
     return int(is_wanted.sum())
+
+
+def selected_vertices(mesh: Mesh) -> tuple[AnyArray, AnyArray]:
+    """Return numbers (n,) int64 and coordinates (n, 3) float64 of the selected vertices.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        Not in Edit Mode.
+    """
+    chosen = np.flatnonzero(read_array(mesh.vertices, "select", np.bool_))
+    return chosen, positions(mesh)[chosen].astype(np.float64)

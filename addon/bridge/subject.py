@@ -49,6 +49,11 @@ class Subject:
     has_base_topology: bool
     center: Floats
 
+    @property
+    def mesh(self) -> PolygonMesh:
+        """The mesh that was analyzed."""
+        return self.analysis.surface.mesh
+
 
 @dataclass(frozen=True)
 class Reading:
@@ -86,7 +91,7 @@ class Reading:
 
 def source_of(obj: Object) -> Object:
     """Return the object that an object's results belong to: itself, unless it was made by us."""
-    return obj.curvature.source or obj
+    return obj.curvature.source or obj.curvature.companion_of or obj
 
 
 def users_of(mesh: Mesh) -> list[Object]:

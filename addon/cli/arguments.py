@@ -11,14 +11,17 @@ from pathlib import Path
 
 from ..bridge.importing import ENDINGS
 from ..choices import CRITERION_OF
+from ..export.formats import TEXTS
 from ..geometry.display.colormap import ColorMap
 from ..geometry.settings import CriterionKind, Smoothing
-from ..properties.items import QUANTITY_ITEMS
+from ..properties.items import FAMILY_ITEMS, QUANTITY_ITEMS
 from ..report.files import FORMATS
 
 PROGRAM = "curvature"
 _PICTURE_ENDING = ".png"
 _BLEND_ENDING = ".blend"
+LINE_ENDINGS = (_BLEND_ENDING, *TEXTS)
+"""Endings of the files that lines can be written to."""
 
 
 def parse_arguments(arguments: Sequence[str]) -> argparse.Namespace:
@@ -39,11 +42,23 @@ def parse_arguments(arguments: Sequence[str]) -> argparse.Namespace:
         "at the tolerance of the panels. One line per object goes to the standard output.",
     )
     _add_inputs(segment)
-    _add_outputs(segment)
+    _add_outputs(segment, (_BLEND_ENDING,))
     _add_settings(segment)
+    lines = commands.add_parser(
+        "lines",
+        help="trace curvature lines",
+        description="Cover models with evenly spaced lines along the directions of curvature, "
+        "for Blender or as a drawing. One line per object goes to the standard output.",
+    )
+    _add_inputs(lines)
+    _add_outputs(lines, LINE_ENDINGS)
+    _add_line_settings(lines)
     options = parser.parse_args(arguments)
-    _check_endings(segment, options)
-    _check_limits(segment, options)
+    if options.command == "lines":
+        _check_endings(lines, options, LINE_ENDINGS)
+    else:
+        _check_endings(segment, options, (_BLEND_ENDING,))
+        _check_limits(segment, options)
     return options
 
 
@@ -75,9 +90,13 @@ def _add_inputs(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _add_outputs(parser: argparse.ArgumentParser) -> None:
+def _add_outputs(parser: argparse.ArgumentParser, endings: tuple[str, ...]) -> None:
+    drawings = f", or a drawing: {' '.join(endings[1:])}" if endings[1:] else ""
     parser.add_argument(
-        "--output", type=Path, metavar="OUT.blend", help="Blender file with the results"
+        "--output",
+        type=Path,
+        metavar="OUT.blend",
+        help=f"Blender file with the results{drawings}",
     )
     parser.add_argument(
         "--report", type=Path, metavar="OUT.json", help="report on all models: .html, .json or .csv"
@@ -100,6 +119,66 @@ def _add_outputs(parser: argparse.ArgumentParser) -> None:
     parser.epilog = (
         "With several models, the Blender files and pictures get the name of their model added: "
         "OUT-model.blend. Exit status: 0 all done, 1 something failed, 2 wrong usage."
+    )
+
+
+def _add_analysis(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--crease-angle",
+        type=_angle,
+        default=30.0,
+        metavar="DEG",
+        help="fold in degrees above which an edge separates smooth areas (default: 30)",
+    )
+    parser.add_argument(
+        "--smoothing",
+        type=_smoothing,
+        default=(Smoothing.AUTO, 0.0),
+        metavar="auto|none|M",
+        help="which detail is noise: measured, none, or all below a length in meters "
+        "(default: auto)",
+    )
+    parser.add_argument("--flip-normals", action="store_true", help="look from the other side")
+
+
+def _add_line_settings(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--spacing",
+        type=_positive,
+        default=0.0,
+        metavar="M",
+        help="distance between neighboring lines in meters "
+        "(default: a twentieth of the model's diagonal)",
+    )
+    parser.add_argument(
+        "--families",
+        choices=[item[0] for item in FAMILY_ITEMS],
+        type=str.upper,
+        default="BOTH",
+        help="which of the two crossing families to trace (default: BOTH)",
+    )
+    parser.add_argument(
+        "--asymptotic",
+        action="store_true",
+        help="lines without normal curvature, in place of those of principal curvature",
+    )
+    parser.add_argument(
+        "--fit",
+        type=_positive,
+        metavar="M",
+        help="fit Bézier curves to the lines, within so many meters (default: polylines)",
+    )
+    parser.add_argument(
+        "--thickness",
+        type=_positive,
+        default=0.0,
+        metavar="M",
+        help="diameter of the lines in meters (default: a share of the spacing)",
+    )
+    _add_analysis(parser)
+    # What segmentation has beyond, at its defaults.
+    parser.set_defaults(
+        panel_size=0.0, deviation=0.0, min_area=0.0, color_map=ColorMap.COOL_WARM.name, range=None
     )
 
 
@@ -140,28 +219,13 @@ def _add_settings(parser: argparse.ArgumentParser) -> None:
         help="largest |H| in 1/m of what is flat; needs --gaussian-limit",
     )
     parser.add_argument(
-        "--crease-angle",
-        type=_angle,
-        default=30.0,
-        metavar="DEG",
-        help="fold in degrees above which an edge separates smooth areas (default: 30)",
-    )
-    parser.add_argument(
         "--min-area",
         type=_not_negative,
         default=0.0,
         metavar="M2",
         help="regions below this area in m² join a neighbor (default: 0, that of a panel)",
     )
-    parser.add_argument(
-        "--smoothing",
-        type=_smoothing,
-        default=(Smoothing.AUTO, 0.0),
-        metavar="auto|none|M",
-        help="which detail is noise: measured, none, or all below a length in meters "
-        "(default: auto)",
-    )
-    parser.add_argument("--flip-normals", action="store_true", help="look from the other side")
+    _add_analysis(parser)
     parser.add_argument(
         "--quantity",
         choices=[item[0] for item in QUANTITY_ITEMS if item[0] != "NONE"],
@@ -182,9 +246,11 @@ def _add_settings(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _check_endings(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+def _check_endings(
+    parser: argparse.ArgumentParser, options: argparse.Namespace, outputs: tuple[str, ...]
+) -> None:
     for name, path, endings in (
-        ("--output", options.output, (_BLEND_ENDING,)),
+        ("--output", options.output, outputs),
         ("--report", options.report, FORMATS),
         ("--image", options.image, (_PICTURE_ENDING,)),
     ):

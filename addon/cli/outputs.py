@@ -16,7 +16,7 @@ from ..report.files import FileRefusedError, check_writable
 class Outputs:
     """Files to write for one model."""
 
-    blend: Path | None
+    output: Path | None
     image: Path | None
 
 
@@ -33,7 +33,7 @@ def plan_outputs(options: Namespace) -> list[Outputs]:
         for suffix in _suffixes(options.models)
     ]
     inputs = {model.resolve() for model in options.models}
-    wanted = [options.report, *(path for each in outputs for path in (each.blend, each.image))]
+    wanted = [options.report, *(path for each in outputs for path in (each.output, each.image))]
     for path in wanted:
         if path is not None:
             _check(path, inputs, options.overwrite)

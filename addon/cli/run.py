@@ -1,10 +1,9 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A run of the command: every model is read, segmented and written, one after the other."""
+"""A run of the command: every model is read, worked on and written, one after the other."""
 
 from __future__ import annotations
 
-import math
 from argparse import Namespace
 from collections.abc import Sequence
 from pathlib import Path
@@ -31,8 +30,10 @@ from ..reporting import (
 )
 from ..steps import complete
 from .arguments import PROGRAM, parse_arguments
+from .inputs import load
+from .lines import trace_model
 from .outputs import Outputs, plan_outputs
-from .streams import Console, console, silent_importers
+from .streams import Console, console
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -65,10 +66,11 @@ def _run(options: Namespace, screen: Console) -> int:
     documents: list[dict[str, Any]] = []
     pictures: list[Picture] = []
     failures = 0
+    work = trace_model if options.command == "lines" else _segment_model
     for number, (model, files) in enumerate(zip(options.models, outputs, strict=True), 1):
         screen.progress(f"[{number}/{len(options.models)}] {model}")
         try:
-            document, shown, refused = _segment_model(model, files, options, screen)
+            document, shown, refused = work(model, files, options, screen)
         except (CurvatureError, FileRefusedError, importing.ImportRefusedError) as error:
             screen.error(f"{PROGRAM}: {model}: {error}")
             failures += 1
@@ -90,10 +92,8 @@ def _segment_model(
     model: Path, files: Outputs, options: Namespace, screen: Console
 ) -> tuple[dict[str, Any], list[Picture], list[str]]:
     """Segment one model and write its files; return its report, its pictures and refusals."""
-    with silent_importers():
-        objects = importing.load_model(bpy.context, model, options.up)
+    objects = load(model, options)
     context = bpy.context
-    _apply_settings(options)
     outcome = complete(
         tasks.segment_objects(
             context, objects, analysis_settings(context), segmentation_settings(context)
@@ -109,9 +109,9 @@ def _segment_model(
         screen.progress(f"  warning: {sentence}")
     document = scene_document(context, outcome.carriers, str(model))
     viewport.frame(context, outcome.carriers)
-    if files.blend:
-        saving.save_blend(files.blend)
-        screen.progress(f"  wrote {files.blend}")
+    if files.output:
+        saving.save_blend(files.output)
+        screen.progress(f"  wrote {files.output}")
     if files.image:
         legend = legend_of(context.scene, outcome.carriers[0] if len(objects) == 1 else None)
         picture.render(outcome.carriers, legend, options.image_size, files.image)
@@ -124,28 +124,6 @@ def _segment_model(
         key = class_legend(context.scene, outcome.carriers)
         pictures = report_pictures(context, outcome.carriers, key, options.report)
     return document, pictures, outcome.refused
-
-
-def _apply_settings(options: Namespace) -> None:
-    scene = bpy.context.scene
-    if options.meters_per_unit:
-        scene.unit_settings.scale_length = options.meters_per_unit
-    settings = scene.curvature
-    settings.panel_size = options.panel_size
-    settings.deviation = options.deviation
-    settings.criterion = options.criterion.name
-    settings.smallest_radius = options.smallest_radius
-    settings.gaussian_limit = options.gaussian_limit
-    settings.mean_limit = options.mean_limit
-    settings.min_area = options.min_area
-    settings.crease_angle = math.radians(options.crease_angle)
-    settings.flip_normals = options.flip_normals
-    smoothing, settings.smoothing_length = options.smoothing
-    settings.smoothing = smoothing.name
-    settings.color_map = options.color_map
-    if options.range:
-        settings.range_mode = "FIXED"
-        settings.range_limit = options.range
 
 
 def _result_line(model: Path, carrier: Object) -> str:

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .types import Flags, Indices
+from .types import Flags, Floats, Indices
 
 
 def misoriented_triangles(triangles: Indices) -> Flags:
@@ -31,3 +31,34 @@ def misoriented_triangles(triangles: Indices) -> Flags:
     patch = piece.reshape(-1)
     share = np.bincount(patch, is_turned) / np.maximum(np.bincount(patch), 1)
     return is_turned != (share > 0.5)[patch]
+
+
+def nearest_on_triangles(
+    points: Floats, vertices: Floats, triangles: Indices
+) -> tuple[Floats, Indices, Floats]:
+    """Return what of a surface is nearest to points.
+
+    Parameters
+    ----------
+    points : (p, 3) float64
+    vertices : (n, 3) float64
+    triangles : (t, 3) int64
+
+    Returns
+    -------
+    distance : (p,) float64
+    triangle : (p,) int64
+    nearest : (p, 3) float64
+    """
+    import igl  # pyright: ignore[reportMissingTypeStubs] – it does not declare its types
+
+    squared, triangle, nearest = igl.point_mesh_squared_distance(
+        np.ascontiguousarray(points, dtype=np.float64),
+        np.ascontiguousarray(vertices, dtype=np.float64),
+        np.ascontiguousarray(triangles, dtype=np.int64),
+    )
+    return (
+        np.sqrt(np.asarray(squared, dtype=np.float64).reshape(-1)),
+        np.asarray(triangle, dtype=np.int64).reshape(-1),
+        np.asarray(nearest, dtype=np.float64).reshape(-1, 3),
+    )

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from bpy.types import SpaceView3D
 
+from . import preview
 from .legend import draw_legend
 
 _handles: list[object] = []
@@ -19,6 +20,7 @@ def enable() -> None:
 
 def disable() -> None:
     """Stop drawing; does nothing where nothing is drawn."""
+    preview.hide()
     while _handles:
         SpaceView3D.draw_handler_remove(_handles.pop(), "WINDOW")
 

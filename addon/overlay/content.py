@@ -7,14 +7,19 @@ from __future__ import annotations
 import numpy as np
 from bpy.types import Object, Scene
 
-from ..bridge import names
+from ..bridge import names, units
+from ..bridge.companions import ROLES, companions
 from ..bridge.criteria import criterion_lines, criterion_of
 from ..bridge.display import CURVATURES, analyzed_objects, class_colors
-from ..bridge.subject import carrier_of
+from ..bridge.drawings import LINE_ROLES
+from ..bridge.markers import SIGN_COLORS, umbilic_signs
+from ..bridge.results import read_report
+from ..bridge.subject import carrier_of, source_of
 from ..geometry.classification import SurfaceClass
 from ..geometry.display.colormap import ColorMap, srgb_from_linear
 from ..geometry.display.legend import ClassKey, ColorBar, Legend
 from ..geometry.display.palette import CLASS_NAMES, region_colors
+from ..report.findings import ASYMPTOTIC_LINES, LINES
 
 _MOST_REGIONS = 8
 _UNITS = {"GAUSSIAN": "1/m²", "MEAN": "1/m", "K1": "1/m", "K2": "1/m"}
@@ -62,6 +67,35 @@ def tolerance_notes(scene: Scene, objects: list[Object]) -> tuple[str, ...]:
         for obj in objects
     }
     return notes.pop() if len(notes) == 1 else ()
+
+
+def line_legend(scene: Scene, objects: list[Object]) -> Legend | None:
+    """Return the key of the curvature lines of some objects; None without lines."""
+    rows = []
+    for role in LINE_ROLES:
+        found = [each for obj in objects for each in companions(source_of(obj), (role,))]
+        count = sum(len(each.data.splines) for each in found)
+        if count:
+            rows.append((_display_color(ROLES[role].color), ROLES[role].ending, f"{count:,}"))
+    if not rows:
+        return None
+    rows += _umbilic_rows(objects)
+    blocks = [read_report(obj) or {} for obj in objects]
+    spacings = {b[key]["spacing"] for b in blocks for key in (LINES, ASYMPTOTIC_LINES) if key in b}
+    notes = tuple(f"{units.length_text(scene, spacing)} apart" for spacing in sorted(spacings))
+    return ClassKey("Curvature Lines", tuple(rows), notes)
+
+
+def _umbilic_rows(objects: list[Object]) -> list[tuple[tuple[float, float, float], str, str]]:
+    """Return the rows of a key for umbilics of either sign, where there are some."""
+    marks = [each for obj in objects for each in companions(source_of(obj), ("UMBILICS",))]
+    signs = [umbilic_signs(each) for each in marks]
+    counts = {sign: sum(each[sign] for each in signs) for sign in SIGN_COLORS}
+    return [
+        (_display_color(color), f"Umbilics, Index {sign}", f"{counts[sign]:,}")
+        for sign, color in SIGN_COLORS.items()
+        if counts[sign]
+    ]
 
 
 def _described_objects(scene: Scene, active: Object | None) -> list[Object]:

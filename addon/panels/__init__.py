@@ -9,7 +9,10 @@ import bpy
 from .analysis import CURVATURE_PT_analysis
 from .changes import CURVATURE_PT_changes
 from .delivery import CURVATURE_PT_delivery
+from .hatching import CURVATURE_PT_hatching
+from .lines import CURVATURE_PT_lines
 from .outlines import CURVATURE_PT_outlines
+from .picking import CURVATURE_PT_picking
 from .preset_menu import CURVATURE_MT_presets
 from .regions import CURVATURE_PT_regions, CURVATURE_UL_regions
 from .results import CURVATURE_PT_results
@@ -28,5 +31,8 @@ register, unregister = bpy.utils.register_classes_factory(
         CURVATURE_PT_delivery,
         CURVATURE_PT_analysis,
         CURVATURE_PT_warnings,
+        CURVATURE_PT_lines,
+        CURVATURE_PT_picking,
+        CURVATURE_PT_hatching,
     )
 )

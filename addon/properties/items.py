@@ -45,3 +45,19 @@ SMOOTHING_ITEMS = (
     ("NONE", Smoothing.NONE.value, "Take every detail of the surface for real", 1),
     ("LENGTH", Smoothing.LENGTH.value, "Take detail below a length for noise", 2),
 )
+
+LINE_KIND_ITEMS = (
+    ("PRINCIPAL", "Principal", "Lines along the directions of k1 and k2, at right angles", 0),
+    ("ASYMPTOTIC", "Asymptotic", "Lines without normal curvature, in saddle-shaped parts", 1),
+)
+
+FAMILY_ITEMS = (
+    ("BOTH", "Both", "The lines of both families", 0),
+    ("FIRST", "First", "Along k1, the larger curvature by signed value, or the left asymptote", 1),
+    ("SECOND", "Second", "Along k2, the smaller curvature, or the right asymptote", 2),
+)
+
+TONE_ITEMS = (
+    ("SHADE", "Shade", "More strokes where less light falls", 0),
+    ("CURVATURE", "Curvature", "More strokes where the surface bends more", 1),
+)

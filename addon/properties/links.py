@@ -47,6 +47,12 @@ class CURVATURE_PG_object(PropertyGroup):
     outline: EnumProperty(
         name="Outline", description="What the curves of this object follow", items=OUTLINE_ITEMS
     )
+    companion_of: PointerProperty(
+        type=Object,
+        name="Companion Of",
+        description="Object whose lines, umbilics or hatching this object shows",
+    )
+    role: StringProperty(name="Role", description="What this object shows of its model")
     slots: CollectionProperty(
         type=CURVATURE_PG_slot, name="Slots", description="Materials to bring back"
     )

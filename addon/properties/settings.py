@@ -15,13 +15,15 @@ from bpy.props import (
 )
 from bpy.types import Context, PropertyGroup
 
-from ..bridge import display, units, viewport
+from ..bridge import display, viewport
 from ..geometry.classification import SurfaceClass
 from ..geometry.creases import DEFAULT_CREASE_ANGLE
 from ..geometry.display.colormap import ColorMap
 from ..geometry.display.palette import CLASS_NAMES, default_class_colors
 from ..geometry.settings import CriterionKind, Smoothing
 from .items import CRITERION_ITEMS, QUANTITY_ITEMS, SMOOTHING_ITEMS
+from .lengths import in_scene_units as _in_scene_units
+from .lines import LineProperties
 
 _COLORS = default_class_colors()
 
@@ -46,18 +48,6 @@ def _forget_panel_preset(settings: PropertyGroup, context: Context) -> None:
         _forget_preset(settings, context)
 
 
-def _in_scene_units(name: str, dimension: int = 1) -> dict[str, object]:
-    """Return accessors that show a length (or area, dimension 2) in meters in the scene's units."""
-
-    def read(settings: PropertyGroup) -> float:
-        return getattr(settings, name) / units.meters_per_unit(settings.id_data) ** dimension
-
-    def write(settings: PropertyGroup, value: float) -> None:
-        setattr(settings, name, value * units.meters_per_unit(settings.id_data) ** dimension)
-
-    return {"get": read, "set": write}
-
-
 def _color(surface_class: SurfaceClass) -> object:
     name = CLASS_NAMES[surface_class]
     return FloatVectorProperty(
@@ -71,7 +61,7 @@ def _color(surface_class: SurfaceClass) -> object:
     )
 
 
-class CURVATURE_PG_settings(PropertyGroup):
+class CURVATURE_PG_settings(LineProperties, PropertyGroup):
     """Settings of a scene: what the operators use where they are not told otherwise."""
 
     smoothing: EnumProperty(

@@ -109,7 +109,30 @@ def _object_rows(block: dict[str, Any]) -> list[tuple[Any, ...]]:
         rows += [
             ("curves", key, name, value, _unit(name)) for name, value in block.get(key, {}).items()
         ]
+    rows += _finding_rows(block)
     rows += [("warning", "", "", sentence, "") for sentence in block["warnings"]]
+    return rows
+
+
+def _finding_rows(block: dict[str, Any]) -> list[tuple[Any, ...]]:
+    """Return the rows of curvature lines and umbilics."""
+    rows: list[tuple[Any, ...]] = []
+    for key in ("curvature_lines", "asymptotic_lines"):
+        for name, found in block.get(key, {}).items():
+            if isinstance(found, dict):
+                rows += [
+                    (key, name, each, found[each], _unit(each)) for each in ("count", "length")
+                ]
+            else:
+                rows.append((key, "", name, found, "m"))
+    for number, umbilic in enumerate(block.get("umbilics", ())):
+        place = zip("xyz", umbilic["position"], strict=True)
+        rows += [("umbilic", number, axis, value, "m") for axis, value in place]
+        rows += [("umbilic", number, name, umbilic[name], "") for name in ("index", "kind")]
+    for number, area in enumerate(block.get("umbilic_areas", ())):
+        rows += [
+            ("umbilic area", number, name, area[name], _unit(name)) for name in ("area", "index")
+        ]
     return rows
 
 

@@ -13,6 +13,7 @@ from typing import Any
 from ..geometry.classification import SurfaceClass
 from ..geometry.display.palette import CLASS_COLORS, CLASS_NAMES
 from ..geometry.settings import CriterionKind
+from .html_findings import findings_section
 from .html_parts import HISTOGRAM_NOTE, STYLE, histogram_svg, table
 from .measures import CLASS_KEYS
 
@@ -109,7 +110,7 @@ def _object_section(block: dict[str, Any], palette: Mapping[str, str]) -> str:
         ]
     if block.get("comparison"):
         parts.append(_comparison(block, palette))
-    parts.append(_statistics(block))
+    parts += [_statistics(block), findings_section(block)]
     if block.get("regions"):
         parts.append(_regions(block["regions"], palette))
     return "<section>" + "\n".join(part for part in parts if part) + "</section>"

@@ -12,7 +12,7 @@ import bpy
 import pytest
 from architectural_curvature.addon.bridge import display, subject
 from layout_stub import Layout
-from models import STRICT, add_surface, dome, only_select, plate
+from models import STRICT, add_surface, barrel, dome, only_select, plate
 
 
 def _panels() -> list[type]:
@@ -93,6 +93,12 @@ def _in_edit_mode() -> None:
     bpy.ops.object.mode_set(mode="EDIT")
 
 
+def _with_lines() -> None:
+    add_surface(dome)
+    bpy.ops.curvature.trace_lines(spacing=0.3)
+    bpy.ops.curvature.find_umbilics()
+
+
 STATES = [
     _nothing,
     _light,
@@ -104,6 +110,7 @@ STATES = [
     _on_a_copy,
     _nothing_active,
     _in_edit_mode,
+    _with_lines,
 ]
 
 
@@ -234,3 +241,34 @@ def test_changes_panel_names_the_criterion_before() -> None:
     _segmented()
     bpy.ops.curvature.segment(smallest_radius=1.0)
     assert "before: single-curved: within 10 mm" in " ".join(_draw("changes").texts)
+
+
+def test_lines_panel_counts_what_the_model_has() -> None:
+    _mesh()
+    shown = _draw("lines")
+    assert shown.operators == ["curvature.trace_lines", "curvature.find_umbilics"]
+    assert "fit_tolerance_shown" not in shown.properties
+    bpy.context.scene.curvature.fit_curves = True
+    assert "fit_tolerance_shown" in _draw("lines").properties
+    bpy.context.scene.curvature.fit_curves = False
+    only_select(add_surface(barrel, "Vault"))
+    bpy.ops.curvature.trace_lines(spacing=0.25)
+    bpy.ops.curvature.find_umbilics()
+    shown = _draw("lines")
+    count = len(bpy.data.objects["Vault Lines 1"].data.splines)
+    words = " ".join(shown.texts)
+    assert f"Lines 1 {count} lines, " in words
+    assert "Umbilics 0 points" in words
+    assert shown.operators[-1] == "curvature.export_lines"
+    only_select(bpy.data.objects["Vault Lines 2"])
+    assert _draw("lines").texts == shown.texts
+
+
+def test_hatching_panel_asks_for_a_light_only_where_it_shades() -> None:
+    assert "hatch_light" in _draw("hatching").properties
+    bpy.context.scene.curvature.hatch_tone = "CURVATURE"
+    assert "hatch_light" not in _draw("hatching").properties
+
+
+def test_single_lines_can_be_picked_or_run_through_points() -> None:
+    assert _draw("picking").operators == ["curvature.pick_lines", "curvature.trace_through"]

@@ -8,13 +8,14 @@ import bpy
 import pytest
 from models import STRICT, add_surface, dome
 
+LINES = ("trace_lines", "trace_through", "pick_lines", "find_umbilics", "hatch")
 NEED_CLASSES = (
     *("select_class", "select_region", "assign_class", "merge_regions", "split_region"),
     *("outline", "separate", "deliver"),
 )
-NEED_A_MESH = ("analyze", "segment", "clear", *NEED_CLASSES)
+NEED_A_MESH = ("analyze", "segment", "clear", *NEED_CLASSES, "export_lines", *LINES)
 NEED_RESULTS = ("show", "export_report")
-ALL = (*NEED_A_MESH, *NEED_RESULTS)
+ALL = (*(name for name in NEED_A_MESH if name != "export_lines"), *NEED_RESULTS)
 
 
 def _refusal(name: str) -> str:
@@ -70,6 +71,11 @@ def test_classes_are_asked_for(name: str) -> None:
     add_surface(dome)
     bpy.ops.curvature.analyze()
     assert _refusal(name).rstrip().endswith("Segment the model first")
+
+
+def test_lines_are_asked_for() -> None:
+    add_surface(dome)
+    assert _refusal("export_lines").rstrip().endswith("Trace curvature lines first")
 
 
 @pytest.mark.parametrize("name", ALL)

@@ -22,6 +22,11 @@ SETTINGS = {
     "show": {"quantity"},
     "select_class": {"surface_class", "extend"},
     "export_report": {"filepath"},
+    "trace_lines": {"spacing", "families", "kind", "smoothing_length", "thickness"},
+    "trace_through": {"points", "families", "kind"},
+    "hatch": {"tone", "spacing", "light"},
+    "export_lines": {"filepath"},
+    "find_umbilics": set(),
     "clear": set(),
 }
 

@@ -18,11 +18,12 @@ _ALLOWED = {
     "": {"registration"},
     "geometry": set(),
     "report": {"geometry"},
+    "export": {"geometry", "report"},
     "version": set(),
-    "bridge": {"geometry", "report", "preset_text"},
+    "bridge": {"export", "geometry", "report", "preset_text"},
     "properties": {"bridge", "geometry"},
-    "overlay": {"bridge", "geometry"},
-    "choices": {"bridge", "geometry", "preset_text"},
+    "overlay": {"bridge", "geometry", "report"},
+    "choices": {"bridge", "geometry", "preset_text", "tracing"},
     "polls": {"bridge"},
     "progress": {"geometry"},
     "handlers": {"bridge", "overlay"},
@@ -31,17 +32,19 @@ _ALLOWED = {
     "outlining": {"bridge", "geometry", "steps"},
     "editing": {"bridge", "geometry", "steps", "tasks"},
     "running": {"geometry", "progress", "reporting", "steps", "tasks"},
+    "tracing": {"bridge", "geometry", "report", "steps", "tasks"},
     "reporting": {"bridge", "geometry", "report", "tasks", "version"},
     "presets": set(),
     "preset_text": set(),
     "panels": {"bridge", "geometry", "properties", "choices", "preset_text"},
     "operators": {
         "bridge", "geometry", "report", "properties", "overlay", "choices", "polls", "progress",
-        "tasks", "reporting", "outlining", "editing", "preset_text", "running", "steps",
+        "tasks", "reporting", "outlining", "editing", "preset_text", "running", "steps", "tracing",
+        "export",
     },
     "cli": {
         "bridge", "geometry", "report", "properties", "overlay", "choices", "tasks", "reporting",
-        "steps",
+        "steps", "tracing", "export",
     },
     "registration": {
         "properties", "operators", "panels", "overlay", "handlers", "cli", "preferences", "presets",
@@ -115,7 +118,7 @@ def test_rule_finds_what_it_forbids() -> None:
     assert "bridge" not in _ALLOWED["geometry"]
 
 
-@pytest.mark.parametrize("part", ["addon/geometry/", "addon/report/"])
+@pytest.mark.parametrize("part", ["addon/geometry/", "addon/report/", "addon/export/"])
 def test_mathematics_and_reports_know_nothing_of_blender(part: str, shipped: list) -> None:
     inside = [source for source in shipped if str(source).startswith(part)]
     assert inside

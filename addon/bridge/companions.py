@@ -1,0 +1,163 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Objects that accompany a model: lines, markers and hatching, which later runs replace."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+from bpy.types import ID, Material, Object, Scene
+from mathutils import Matrix
+
+from ..geometry.lines.field import Family
+from ..geometry.types import Floats
+from .collection import link_beside, own_collections, remove_if_empty
+from .subject import Subject
+
+Color = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Role:
+    """What an object is for: the ending of its name, and its scene-linear color."""
+
+    ending: str
+    color: Color
+
+
+# Colors that no class has: deep ones, which show on bright models.
+_RED, _BLUE = (0.56, 0.012, 0.012), (0.008, 0.055, 0.45)
+_VIOLET, _GREEN = (0.22, 0.012, 0.34), (0.0, 0.17, 0.06)
+
+ROLES = {
+    "LINES_1": Role("Lines 1", _RED),
+    "LINES_2": Role("Lines 2", _BLUE),
+    "ASYMPTOTIC_1": Role("Asymptotic 1", _VIOLET),
+    "ASYMPTOTIC_2": Role("Asymptotic 2", _GREEN),
+    "PICKED_LINES_1": Role("Picked Lines 1", _RED),
+    "PICKED_LINES_2": Role("Picked Lines 2", _BLUE),
+    "PICKED_ASYMPTOTIC_1": Role("Picked Asymptotic 1", _VIOLET),
+    "PICKED_ASYMPTOTIC_2": Role("Picked Asymptotic 2", _GREEN),
+    "UMBILICS": Role("Umbilics", (0.9, 0.32, 0.0)),
+    "HATCHING": Role("Hatching", (0.012, 0.012, 0.014)),
+}
+"""What each companion is for, by the name that is stored with it."""
+
+FAMILY_ROLES = {
+    Family.FIRST: "LINES_1",
+    Family.SECOND: "LINES_2",
+    Family.ASYMPTOTIC_LEFT: "ASYMPTOTIC_1",
+    Family.ASYMPTOTIC_RIGHT: "ASYMPTOTIC_2",
+}
+"""The role of the lines of a family."""
+
+
+def picked(role: str) -> str:
+    """Return the role of lines that were traced one by one."""
+    return f"PICKED_{role}"
+
+
+def companions(source: Object, roles: Iterable[str] = tuple(ROLES)) -> list[Object]:
+    """Return the objects that accompany a model, in the order of their roles."""
+    found = [each for each in bpy.data.objects if each.curvature.companion_of == source]
+    return [each for role in roles for each in found if each.curvature.role == role]
+
+
+def add_companion(source: Object, carrier: Object, data: ID, role: str, scene: Scene) -> Object:
+    """Make an object that stands where a model stands, turned as it is, but with a scale of 1.
+
+    So lines and markers are equally thick in all directions.
+
+    Parameters
+    ----------
+    source, carrier : Object
+        The model, and the object that carries its results.
+    data : Curve or Mesh
+    role : str
+    scene : Scene
+
+    Returns
+    -------
+    Object
+    """
+    obj = bpy.data.objects.new(companion_name(source, role), data)
+    obj.curvature.companion_of = source
+    obj.curvature.role = role
+    # What solid viewports show of objects without color attributes while models show theirs.
+    obj.color = (*ROLES[role].color, 1.0)
+    location, rotation, _ = carrier.matrix_world.decompose()
+    obj.matrix_world = Matrix.LocRotScale(location, rotation, None)
+    link_beside(source, obj, scene)
+    return obj
+
+
+def companion_name(source: Object, role: str) -> str:
+    """Return the name of a companion."""
+    return f"{source.name} {ROLES[role].ending}"
+
+
+def discard_companions(source: Object, roles: Iterable[str] = tuple(ROLES)) -> bool:
+    """Remove objects that accompany a model; return whether there were any."""
+    found = companions(source, roles)
+    homes = {home for each in found for home in own_collections(each)}
+    for obj in found:
+        data = obj.data
+        bpy.data.objects.remove(obj)
+        if not data.users:
+            bpy.data.batch_remove([data])
+    remove_if_empty(source, list(homes))
+    return bool(found)
+
+
+def world_points(subject: Subject, points: Floats) -> Floats:
+    """Return places on an analyzed surface in world coordinates, in Blender units.
+
+    Parameters
+    ----------
+    subject : Subject
+    points : (p, 3) float64
+        In meters, in the coordinates of the analyzed mesh.
+    """
+    world = np.array(subject.source.matrix_world, dtype=np.float64)
+    return _in_object(subject, points) @ world[:3, :3].T + world[:3, 3]
+
+
+def analyzed_points(subject: Subject, world_points: Floats) -> Floats:
+    """Return places in world coordinates as the analyzed mesh has them, in meters."""
+    world = np.array(subject.source.matrix_world, dtype=np.float64)
+    in_object = (world_points - world[:3, 3]) @ np.linalg.inv(world[:3, :3]).T
+    return (in_object - subject.center) @ subject.meters_from_object
+
+
+def companion_points(subject: Subject, companion: Object, points: Floats) -> Floats:
+    """Return places on an analyzed surface in the coordinates of a companion, (p, 3)."""
+    world = np.array(subject.source.matrix_world, dtype=np.float64)
+    own = np.array(companion.matrix_world, dtype=np.float64)
+    # The large offset of a model far from the origin cancels before anything is rounded.
+    offset = world[:3, 3] - own[:3, 3]
+    apart = _in_object(subject, points) @ world[:3, :3].T + offset
+    return apart @ np.linalg.inv(own[:3, :3]).T
+
+
+def plain_material(name: str, color: Color) -> Material:
+    """Return a material of one color, made where it is missing."""
+    material = bpy.data.materials.get(name)
+    if material is not None and material.library is None:
+        return material
+    material = bpy.data.materials.new(name)
+    if material.node_tree is None:
+        # Blender 5.0 gives every material its nodes and deprecates the switch.
+        material.use_nodes = True
+    material.diffuse_color = (*color, 1.0)
+    for node in material.node_tree.nodes:
+        if node.type == "BSDF_PRINCIPLED":
+            node.inputs["Base Color"].default_value = (*color, 1.0)
+            node.inputs["Roughness"].default_value = 0.8
+    return material
+
+
+def _in_object(subject: Subject, points: Floats) -> Floats:
+    return points @ np.linalg.inv(subject.meters_from_object) + subject.center

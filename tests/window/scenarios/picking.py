@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a designer does to pick lines: open the panel, point, click, point elsewhere, end."""
+
+from math import radians
+
+import bpy
+from buttons import press
+from mathutils import Euler
+from session import (
+    Steps,
+    click,
+    in_view3d,
+    key,
+    move,
+    record,
+    region,
+    shot,
+    show_sidebar,
+    until,
+    view3d,
+    wait,
+)
+
+
+def scenario(model: str) -> Steps:
+    for obj in list(bpy.data.objects):
+        bpy.data.objects.remove(obj)
+    with in_view3d():
+        bpy.ops.wm.obj_import(filepath=model)
+        obj = bpy.context.view_layer.objects.active
+        view3d().spaces.active.region_3d.view_rotation = Euler((radians(40), 0, 0)).to_quaternion()
+        bpy.ops.view3d.view_selected()
+    view3d().spaces.active.shading.color_type = "OBJECT"
+    yield from show_sidebar("Curvature")
+    view = region("WINDOW")
+    record(view=[view.x, view.y, view.width, view.height])
+    with in_view3d():
+        bpy.ops.curvature.pick_lines("INVOKE_DEFAULT")
+    yield wait(3.0)
+    x, y = view.x + 0.4 * view.width, view.y + 0.5 * view.height
+    yield move(x + 2, y)
+    yield move(x, y)
+    yield wait(4.0)
+    yield shot("preview")
+    yield click(x, y)
+    yield until(lambda: "torus Picked Lines 1" in names() or "Torus Picked Lines 1" in names())
+    yield move(x - 60, y + 40)
+    yield wait(3.0)
+    yield shot("second")
+    yield key("Escape")
+    yield wait(1.0)
+    record(objects=sorted(names()), undo="" if bpy.ops.ed.undo.poll() else "no undo")
+    yield shot("ended")
+    yield from press("curvature.trace_lines")
+    yield until(lambda: any("Lines 2" in name and "Picked" not in name for name in names()))
+    yield wait(1.0)
+    record(traced=sorted(names()), source=obj.name)
+    yield shot("traced")
+
+
+def names() -> list[str]:
+    return [obj.name for obj in bpy.data.objects]
