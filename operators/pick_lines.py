@@ -51,7 +51,7 @@ class CURVATURE_OT_pick_lines(LineChoices, Operator):
         self.report({"ERROR"}, "Picking needs a 3D viewport: use Trace Through Points in scripts")
         return {"CANCELLED"}
 
-    def invoke(self, context: Context, _event: Event) -> set[str]:
+    def invoke(self, context: Context, event: Event) -> set[str]:
         """Analyze the active model, then follow the mouse."""
         if context.region_data is None:
             return self.execute(context)
@@ -61,6 +61,7 @@ class CURVATURE_OT_pick_lines(LineChoices, Operator):
         self._lines: CurvatureLines | None = None
         self._run: Run | None = None
         self._wanted: Floats | None = None
+        self._mouse = (event.mouse_region_x, event.mouse_region_y)
         self._kept = 0
         try:
             plan = line_plan(context, self)
@@ -82,10 +83,9 @@ class CURVATURE_OT_pick_lines(LineChoices, Operator):
             return self._advance(context)
         if event.type in _PASSED | _NAVIGATION or event.alt:
             return {"PASS_THROUGH"}
-        if self._picker is not None and event.type == "MOUSEMOVE":
-            self._wanted = pointed_at(context, event, self._picker.source)
-            if self._wanted is None:
-                self._show(context, None)
+        if event.type == "MOUSEMOVE":
+            self._mouse = (event.mouse_region_x, event.mouse_region_y)
+            self._follow(context)
         elif event.type == "LEFTMOUSE":
             return self._click(context, event)
         return {"RUNNING_MODAL"}
@@ -132,8 +132,18 @@ class CURVATURE_OT_pick_lines(LineChoices, Operator):
             return {"CANCELLED"}
         if is_done:
             self._picker = self._preparing.result
+            # The mouse may have come to rest before the model was ready.
+            self._follow(context)
         self._write_status(context)
         return {"RUNNING_MODAL"}
+
+    def _follow(self, context: Context) -> None:
+        """Want the lines through what the mouse is on; nothing where it is beside the model."""
+        if self._picker is None:
+            return
+        self._wanted = pointed_at(context, self._mouse, self._picker.source)
+        if self._wanted is None:
+            self._show(context, None)
 
     def _show(self, context: Context, lines: CurvatureLines | None) -> None:
         self._lines = lines if lines is not None and lines.count else None

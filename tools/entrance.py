@@ -119,8 +119,9 @@ def _parser() -> argparse.ArgumentParser:
     pictures = commands.add_parser(
         "pictures", help="render curvature lines on models into docs/pictures"
     )
-    pictures.add_argument("models", nargs="*", type=Path, metavar="MODEL", help="with z up")
+    pictures.add_argument("models", nargs="*", type=Path, metavar="MODEL")
     pictures.add_argument("--spacing", type=float, metavar="M", help="between the lines")
+    pictures.add_argument("--up", choices=("Y", "Z"), help="axis of the models that points up")
     pictures.set_defaults(run=_pictures)
 
     window = commands.add_parser(
@@ -205,7 +206,7 @@ def _wheels(_options: argparse.Namespace) -> int:
 def _pictures(options: argparse.Namespace) -> int:
     from . import pictures
 
-    for path in pictures.write(options.models, options.spacing):
+    for path in pictures.write(options.models, options.spacing, options.up):
         print(path.relative_to(ROOT))
     return 0
 

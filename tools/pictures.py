@@ -17,19 +17,24 @@ from .places import ROOT
 from .platforms import current_platform
 
 FOLDER = ROOT / "docs" / "pictures"
-_MODELS = (ROOT / "assets" / "models" / "pavilion.obj",)
+_MODELS = (ROOT / "assets" / "models" / "ellipsoid.obj",)
 _SIZE = "1200x750"
 
 
-def write(models: Sequence[Path], spacing: float | None) -> list[Path]:
+def write(
+    models: Sequence[Path], spacing: float | None = None, up: str | None = None
+) -> list[Path]:
     """Render both families of lines on models into `docs/pictures/lines-<model>.png`.
 
     Parameters
     ----------
     models : sequence of Path
-        With z up; the pavilion where there are none.
+        The sample ellipsoid where there are none.
     spacing : float, optional
         In meters; by default that of the command.
+
+    up : str, optional
+        Y or Z: the axis that points up; by default Blender's for the format.
 
     Returns
     -------
@@ -45,9 +50,11 @@ def write(models: Sequence[Path], spacing: float | None) -> list[Path]:
     made = []
     for model in models or _MODELS:
         path = FOLDER / f"lines-{model.stem.replace('_', '-')}.png"
-        arguments = ["lines", model, "--image", path, "--image-size", _SIZE, "--up", "Z"]
+        arguments = ["lines", model, "--image", path, "--image-size", _SIZE]
         if spacing:
             arguments += ["--spacing", str(spacing)]
+        if up:
+            arguments += ["--up", up]
         with step(f"tracing {model.name}"), tempfile.TemporaryDirectory() as user:
             status = run_command(python, zip_file, [*arguments, "--overwrite"], Path(user))
         if status:

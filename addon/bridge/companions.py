@@ -28,9 +28,9 @@ class Role:
     color: Color
 
 
-# Colors that no class has: deep ones, which show on bright models.
-_RED, _BLUE = (0.56, 0.012, 0.012), (0.008, 0.055, 0.45)
-_VIOLET, _GREEN = (0.22, 0.012, 0.34), (0.0, 0.17, 0.06)
+# Colors that no class has: strong ones, as thin lines look darker than they are.
+_RED, _BLUE = (0.75, 0.018, 0.012), (0.01, 0.075, 0.7)
+_VIOLET, _GREEN = (0.32, 0.015, 0.5), (0.0, 0.25, 0.08)
 
 ROLES = {
     "LINES_1": Role("Lines 1", _RED),

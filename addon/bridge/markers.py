@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import bpy
 import numpy as np
-from bpy.types import GeometryNodeTree, Node, Object, Scene
+from bpy.types import Node, NodeTree, Object, Scene
 
 from ..geometry.lines.umbilics import Umbilics
 from . import names
@@ -70,10 +70,10 @@ def umbilic_signs(obj: Object) -> dict[str, int]:
     return {"Positive": int((index > 0.0).sum()), "Negative": int((index < 0.0).sum())}
 
 
-def _marker_nodes() -> GeometryNodeTree:
+def _marker_nodes() -> NodeTree:
     """Return the nodes that put a ball on every point, in a color by the sign of its index."""
     found = bpy.data.node_groups.get(_NODES)
-    if isinstance(found, GeometryNodeTree) and found.library is None:
+    if found is not None and found.library is None:
         return found
     tree = bpy.data.node_groups.new(_NODES, "GeometryNodeTree")
     tree.is_modifier = True
@@ -104,13 +104,13 @@ def _marker_nodes() -> GeometryNodeTree:
     return tree
 
 
-def _node(tree: GeometryNodeTree, kind: str, left: float) -> Node:
+def _node(tree: NodeTree, kind: str, left: float) -> Node:
     node = tree.nodes.new(kind)
     node.location.x = left
     return node
 
 
-def _named(tree: GeometryNodeTree, name: str, left: float) -> Node:
+def _named(tree: NodeTree, name: str, left: float) -> Node:
     node = _node(tree, "GeometryNodeInputNamedAttribute", left)
     node.data_type = "FLOAT"
     node.inputs["Name"].default_value = name

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import numpy as np
-from bpy.types import Context, Event, Object
+from bpy.types import Context, Object
 from bpy_extras.view3d_utils import region_2d_to_origin_3d, region_2d_to_vector_3d
 from mathutils import Vector
 
@@ -13,10 +13,9 @@ from ..geometry.types import Floats
 from .evaluation import evaluated_object
 
 
-def pointed_at(context: Context, event: Event, obj: Object) -> Floats | None:
-    """Return the place in the world where the line of sight meets an object, None beside it."""
+def pointed_at(context: Context, pixel: tuple[int, int], obj: Object) -> Floats | None:
+    """Return the place in the world that a pixel of the region shows of an object, None if none."""
     region, view = context.region, context.region_data
-    pixel = (event.mouse_region_x, event.mouse_region_y)
     is_inside = 0 <= pixel[0] < region.width and 0 <= pixel[1] < region.height
     if view is None or not is_inside:
         return None

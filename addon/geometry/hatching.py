@@ -94,7 +94,7 @@ def hatch(lines: CurvatureLines, tone: Floats, spacing: float, seed: int = 0) ->
     found: list[tuple[Floats, Floats, float]] = []
     for number in range(lines.count):
         threshold = _TONES[Family(int(lines.family[number]))][rank[number]]
-        rows = np.arange(lines.start[number], lines.start[number + 1])
+        rows: Indices = np.arange(lines.start[number], lines.start[number + 1], dtype=np.int64)
         if lines.is_closed[number]:
             rows = np.append(rows, rows[0])
         found += _strokes(lines.points[rows], tone[rows], threshold, spacing, random)

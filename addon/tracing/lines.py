@@ -108,7 +108,10 @@ def trace_seeds(context: Context, objects: list[Object], plan: Plan, seeds: str)
 
 def describe(context: Context, counts: dict[Family, int], length: float) -> str:
     """Return in words how many lines there are and how long they are together."""
-    parts = [f"{count:,} of family {2 - family % 2}" for family, count in counts.items()]
+    parts = [
+        f"{count:,} {'line' if count == 1 else 'lines'} of family {2 - family % 2}"
+        for family, count in counts.items()
+    ]
     return f"{' and '.join(parts)}, {units.length_text(context.scene, length)} long"
 
 

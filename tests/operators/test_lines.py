@@ -193,7 +193,7 @@ def test_a_flat_plate_has_no_lines_and_one_umbilic_area(run: Callable[..., Any])
     result, text = run("trace_lines", spacing=0.2)
     assert (result, text) == (
         {"FINISHED"},
-        "Info: Traced Roof: 0 of family 1 and 0 of family 2, 0 m long",
+        "Info: Traced Roof: 0 lines of family 1 and 0 lines of family 2, 0 m long",
     )
     assert report_of(obj)["curvature_lines"]["family_1"] == {"count": 0, "length": 0.0, "lines": []}
     assert len(report_of(obj)["umbilic_areas"]) == 1

@@ -123,6 +123,7 @@ class _Session:
         self.operator.report = lambda _kind, text: self.texts.append(text)
         self.operator._picker = self.operator._lines = self.operator._run = None
         self.operator._wanted = self.operator._timer = None
+        self.operator._mouse = (50, 50)
         self.operator._kept = 0
         self.texts: list[str] = []
         plan = line_plan(bpy.context)
@@ -159,6 +160,11 @@ def session(vault: Object, monkeypatch: pytest.MonkeyPatch) -> Iterator[_Session
     started = _Session(vault, monkeypatch)
     yield started
     preview.hide()
+
+
+def test_mouse_may_rest_before_the_model_is_ready(session: _Session) -> None:
+    session.wait(lambda: len(preview.shown()) == 2)
+    session.send("ESC")
 
 
 def test_mouse_shows_and_click_keeps_both_lines(session: _Session) -> None:

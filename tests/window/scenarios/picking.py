@@ -38,19 +38,19 @@ def scenario(model: str) -> Steps:
     with in_view3d():
         bpy.ops.curvature.pick_lines("INVOKE_DEFAULT")
     yield wait(3.0)
-    x, y = view.x + 0.4 * view.width, view.y + 0.5 * view.height
+    x, y = view.x + 0.36 * view.width, view.y + 0.36 * view.height
     yield move(x + 2, y)
     yield move(x, y)
     yield wait(4.0)
     yield shot("preview")
     yield click(x, y)
-    yield until(lambda: "torus Picked Lines 1" in names() or "Torus Picked Lines 1" in names())
+    yield until(lambda: f"{obj.name} Picked Lines 1" in names())
     yield move(x - 60, y + 40)
     yield wait(3.0)
     yield shot("second")
     yield key("Escape")
     yield wait(1.0)
-    record(objects=sorted(names()), undo="" if bpy.ops.ed.undo.poll() else "no undo")
+    record(objects=sorted(names()))
     yield shot("ended")
     yield from press("curvature.trace_lines")
     yield until(lambda: any("Lines 2" in name and "Picked" not in name for name in names()))
