@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import argparse
-import math
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -16,6 +15,7 @@ from ..geometry.display.colormap import ColorMap
 from ..geometry.settings import CriterionKind, Smoothing
 from ..properties.items import FAMILY_ITEMS, QUANTITY_ITEMS
 from ..report.files import FORMATS
+from .values import angle, not_negative, positive, size, smoothing
 
 PROGRAM = "curvature"
 _PICTURE_ENDING = ".png"
@@ -84,7 +84,7 @@ def _add_inputs(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--meters-per-unit",
-        type=_positive,
+        type=positive,
         metavar="M",
         help="length of one unit of the models in meters (default: that of the file, or 1)",
     )
@@ -106,7 +106,7 @@ def _add_outputs(parser: argparse.ArgumentParser, endings: tuple[str, ...]) -> N
     )
     parser.add_argument(
         "--image-size",
-        type=_size,
+        type=size,
         default=(1600, 1000),
         metavar="WxH",
         help="size of the picture in pixels (default: 1600x1000)",
@@ -125,14 +125,14 @@ def _add_outputs(parser: argparse.ArgumentParser, endings: tuple[str, ...]) -> N
 def _add_analysis(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--crease-angle",
-        type=_angle,
+        type=angle,
         default=30.0,
         metavar="DEG",
         help="fold in degrees above which an edge separates smooth areas (default: 30)",
     )
     parser.add_argument(
         "--smoothing",
-        type=_smoothing,
+        type=smoothing,
         default=(Smoothing.AUTO, 0.0),
         metavar="auto|none|M",
         help="which detail is noise: measured, none, or all below a length in meters "
@@ -144,7 +144,7 @@ def _add_analysis(parser: argparse.ArgumentParser) -> None:
 def _add_line_settings(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--spacing",
-        type=_positive,
+        type=positive,
         default=0.0,
         metavar="M",
         help="distance between neighboring lines in meters "
@@ -164,13 +164,13 @@ def _add_line_settings(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--fit",
-        type=_positive,
+        type=positive,
         metavar="M",
         help="fit Bézier curves to the lines, within so many meters (default: polylines)",
     )
     parser.add_argument(
         "--thickness",
-        type=_positive,
+        type=positive,
         default=0.0,
         metavar="M",
         help="diameter of the lines in meters (default: a share of the spacing)",
@@ -178,49 +178,57 @@ def _add_line_settings(parser: argparse.ArgumentParser) -> None:
     _add_analysis(parser)
     # What segmentation has beyond, at its defaults.
     parser.set_defaults(
-        panel_size=0.0, deviation=0.0, min_area=0.0, color_map=ColorMap.COOL_WARM.name, range=None
+        panel_size=0.0,
+        deviation=0.0,
+        criterion=CriterionKind.PANEL,
+        smallest_radius=0.0,
+        gaussian_limit=0.0,
+        mean_limit=0.0,
+        min_area=0.0,
+        color_map=ColorMap.COOL_WARM.name,
+        range=None,
     )
 
 
 def _add_settings(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--panel-size",
-        type=_positive,
+        type=positive,
         default=0.0,
         metavar="M",
         help="edge length of the panels in meters (default: a twentieth of the model's diagonal)",
     )
     parser.add_argument(
         "--deviation",
-        type=_positive,
+        type=positive,
         default=0.0,
         metavar="M",
         help="allowed deviation in meters (default: a two-hundredth of the panel size)",
     )
     parser.add_argument(
         "--smallest-radius",
-        type=_positive,
+        type=positive,
         default=0.0,
         metavar="M",
         help="radius in meters from which panels count as straight, in place of --deviation",
     )
     parser.add_argument(
         "--gaussian-limit",
-        type=_positive,
+        type=positive,
         default=0.0,
         metavar="K",
         help="largest |K| in 1/m² of what is not double-curved; needs --mean-limit",
     )
     parser.add_argument(
         "--mean-limit",
-        type=_positive,
+        type=positive,
         default=0.0,
         metavar="H",
         help="largest |H| in 1/m of what is flat; needs --gaussian-limit",
     )
     parser.add_argument(
         "--min-area",
-        type=_not_negative,
+        type=not_negative,
         default=0.0,
         metavar="M2",
         help="regions below this area in m² join a neighbor (default: 0, that of a panel)",
@@ -240,7 +248,7 @@ def _add_settings(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--range",
-        type=_positive,
+        type=positive,
         metavar="LIMIT",
         help="curvature that gets the last color (default: 95 %% of the area lie within)",
     )
@@ -269,47 +277,3 @@ def _check_limits(parser: argparse.ArgumentParser, options: argparse.Namespace) 
     pair = [name for name, kind in CRITERION_OF.items() if kind is CriterionKind.RAW]
     if options.criterion is CriterionKind.RAW and set(pair) - set(given):
         parser.error(f"{' and '.join(flags[name] for name in pair)} need each other")
-
-
-def _number(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"'{text}' is not a number")
-    return value
-
-
-def _positive(text: str) -> float:
-    value = _number(text)
-    if value <= 0.0:
-        raise argparse.ArgumentTypeError(f"must be greater than zero, not {text}")
-    return value
-
-
-def _not_negative(text: str) -> float:
-    value = _number(text)
-    if value < 0.0:
-        raise argparse.ArgumentTypeError(f"must not be negative: {text}")
-    return value
-
-
-def _smoothing(text: str) -> tuple[Smoothing, float]:
-    if text.lower() in {"auto", "none"}:
-        return Smoothing[text.upper()], 0.0
-    return Smoothing.LENGTH, _positive(text)
-
-
-def _angle(text: str) -> float:
-    value = _number(text)
-    if not 0.0 < value <= 180.0:
-        raise argparse.ArgumentTypeError(f"must be above 0 and at most 180 degrees, not {text}")
-    return value
-
-
-def _size(text: str) -> tuple[int, int]:
-    parts = text.lower().split("x")
-    if len(parts) != 2 or not all(part.isdigit() and 64 <= int(part) <= 16384 for part in parts):
-        raise argparse.ArgumentTypeError(f"must be like 1600x1000, each 64 to 16384, not {text}")
-    return int(parts[0]), int(parts[1])
