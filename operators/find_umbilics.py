@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from bpy.types import Context, Event
+from bpy.types import Context, Event, Operator
 
 from ..addon import polls, tasks
 from ..addon.bridge.subject import selected_subjects
@@ -14,7 +14,7 @@ from ..addon.steps import Steps
 from ..addon.tracing.umbilics import mark_umbilics
 
 
-class CURVATURE_OT_find_umbilics(RunningOperator):
+class CURVATURE_OT_find_umbilics(RunningOperator, Operator):
     """Mark the points where the curvature is the same in all directions."""
 
     bl_idname = "curvature.find_umbilics"

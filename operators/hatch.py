@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from bpy.props import EnumProperty, FloatProperty, FloatVectorProperty
-from bpy.types import Context, Event
+from bpy.types import Context, Event, Operator
 
 from ..addon import polls, tasks
 from ..addon.bridge.subject import selected_subjects
@@ -16,7 +16,7 @@ from ..addon.steps import Steps
 from ..addon.tracing.hatching import hatch_objects
 
 
-class CURVATURE_OT_hatch(RunningOperator):
+class CURVATURE_OT_hatch(RunningOperator, Operator):
     """Draw the selected meshes with strokes along the directions of curvature."""
 
     bl_idname = "curvature.hatch"

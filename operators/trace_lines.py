@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from bpy.props import FloatProperty
-from bpy.types import Context, Event
+from bpy.types import Context, Event, Operator
 
 from ..addon import polls, tasks
 from ..addon.bridge.subject import selected_subjects
@@ -16,7 +16,7 @@ from ..addon.steps import Steps
 from ..addon.tracing.lines import trace_objects
 
 
-class CURVATURE_OT_trace_lines(LineChoices, RunningOperator):
+class CURVATURE_OT_trace_lines(LineChoices, RunningOperator, Operator):
     """Trace evenly spaced curvature lines on the selected meshes."""
 
     bl_idname = "curvature.trace_lines"

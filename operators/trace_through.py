@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from bpy.props import EnumProperty
-from bpy.types import Context, Event
+from bpy.types import Context, Event, Operator
 
 from ..addon import polls, tasks
 from ..addon.bridge.subject import selected_subjects
@@ -16,7 +16,7 @@ from ..addon.steps import Steps
 from ..addon.tracing.lines import trace_seeds
 
 
-class CURVATURE_OT_trace_through(LineChoices, RunningOperator):
+class CURVATURE_OT_trace_through(LineChoices, RunningOperator, Operator):
     """Trace the curvature lines through the 3D cursor or the selected vertices."""
 
     bl_idname = "curvature.trace_through"

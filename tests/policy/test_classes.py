@@ -30,9 +30,7 @@ def _classes(shipped: list, kind: str) -> list[tuple[str, ast.ClassDef]]:
         (str(source), node)
         for source in shipped
         for node in source.places(ast.ClassDef)
-        if any(getattr(base, "id", "") in {kind, f"Running{kind}"} for base in node.bases)
-        # What others derive from is not registered itself.
-        and node.name != f"Running{kind}"
+        if any(getattr(base, "id", "") == kind for base in node.bases)
     ]
     assert found
     return found
