@@ -131,6 +131,7 @@ def test_every_test_folder_is_known_to_git(repository: Path) -> None:
     empty = [
         path.name
         for path in folders
-        if path.name not in {"__pycache__", "surfaces"} and not any(path.rglob("test_*.py"))
+        if path.name not in {"__pycache__", "composites", "surfaces"}
+        and not any(path.rglob("test_*.py"))
     ]
     assert not empty
