@@ -125,3 +125,15 @@ def test_a_face_without_area_is_undefined() -> None:
     assert curvature.is_face_defined.tolist() == [True, False]
     assert curvature.face_k1.tolist() == [0.0, 0.0]
     assert curvature.face_k2.tolist() == [0.0, 0.0]
+
+
+def test_faces_of_a_fine_sphere_bend_though_its_points_have_no_directions() -> None:
+    """Edges of 1/200 of the radius: the fit finds equal curvatures up to rounding."""
+
+    def point(u: float, v: float) -> tuple[float, ...]:
+        polar, turn = 1.4 + 0.1 * u, 0.1 * v
+        return (np.sin(polar) * np.cos(turn), np.sin(polar) * np.sin(turn), np.cos(polar))
+
+    _, curvature = _measure(*grid(point, (20, 20)))
+    np.testing.assert_allclose(np.abs(curvature.face_k1), 1.0, rtol=1e-3)
+    np.testing.assert_allclose(np.abs(curvature.face_k2), 1.0, rtol=1e-3)

@@ -90,8 +90,7 @@ def label_faces(
         position_cost, is_heard = evidence
         has_model = position_cost != NO_MODEL
         heard = position_cost + np.where(has_model, np.minimum(cost, _BLURRED), cost)
-        unheard = cost + np.where(has_model, np.minimum(position_cost, NO_MODEL), 0.0)
-        cost = np.where(is_heard[:, None], heard, unheard)
+        cost = np.where(is_heard[:, None], heard, cost)
     if sides is not None:
         side_cost, is_told = sides
         told = (

@@ -35,6 +35,8 @@ def class_costs(k1: Floats, k2: Floats, uncertainty: Floats, criterion: Criterio
         Flat, single-curved, elliptic, hyperbolic; the least is 0, none is above `CERTAIN`.
     """
     limit = criterion.curvature_limit
+    # Where an estimate says that it knows nothing, it is still the best guess there is.
+    uncertainty = np.minimum(uncertainty, limit)
     if criterion.gaussian_limit is None:
         logarithm = _by_principal(k1, k2, np.hypot(uncertainty, _SHARPNESS * limit), limit)
     else:

@@ -101,6 +101,11 @@ def _mean_of_corners(each: _Polygons, curvature: Estimate) -> tuple[AnyArray, An
     tensor = from_principal(
         curvature.k1, curvature.k2, curvature.direction_1, curvature.direction_2
     )
+    # an umbilic has no directions, but it bends: the same in all of its tangent plane
+    umbilic = np.flatnonzero(~curvature.direction_1.any(axis=1) & (curvature.k1 != 0))
+    x, y, z = curvature.normals[umbilic].T
+    entries = np.stack([1 - x * x, 1 - y * y, 1 - z * z, -x * y, -x * z, -y * z])
+    tensor[:, umbilic] = 0.5 * (curvature.k1 + curvature.k2)[umbilic] * entries
     mean = (each.member @ tensor.T).T / np.maximum(each.total, 1)
     k1, k2 = eigenvalues_in_plane(mean)
     # a tensor seen from a leaning plane is foreshortened: on coarse meshes corners are turned into
