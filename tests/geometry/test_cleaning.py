@@ -11,7 +11,7 @@ from architectural_curvature.addon.geometry.cleaning.sizes import default_min_ar
 from architectural_curvature.addon.geometry.criterion import panel_criterion
 from architectural_curvature.addon.geometry.mesh import mesh_from_polygons
 from architectural_curvature.addon.geometry.outlines.borders import trace_borders
-from architectural_curvature.addon.geometry.segmentation import segment
+from architectural_curvature.addon.geometry.segmentation import Segmentation, segment
 from architectural_curvature.addon.geometry.surface import build_surface
 from architectural_curvature.addon.geometry.tolerance import Tolerance
 from curvatures import given_curvature
@@ -25,10 +25,9 @@ PLATE = build_surface(mesh_from_polygons(*grid(lambda u, v: (24 * u, 4 * v, 0.0)
 COLUMN = np.arange(96) // 4
 
 
-def _classes(curvature: float, min_area: float = 0.0) -> list[int]:
+def _segmented(curvature: float, min_area: float = 0.0) -> Segmentation:
     k1 = np.where(COLUMN == 12, curvature, 0.0)
-    found = segment(PLATE, given_curvature(PLATE, k1, 0.0), TOLERANCE, min_area)
-    return sorted({int(each) for each in found.face_class})
+    return segment(PLATE, given_curvature(PLATE, k1, 0.0), TOLERANCE, min_area)
 
 
 def test_a_panel_is_the_least_area_but_no_more_than_a_share_of_the_model() -> None:
@@ -37,13 +36,14 @@ def test_a_panel_is_the_least_area_but_no_more_than_a_share_of_the_model() -> No
 
 
 def test_a_fillet_stays_though_it_is_narrower_than_a_panel() -> None:
-    assert _classes(1.5) == [0, 1]
+    assert 1 in _segmented(1.5).regions.region_class
 
 
 def test_a_least_area_that_is_asked_for_spares_nothing() -> None:
-    # The fillet takes the row beside it along, whose corners are half of it: 8 m².
-    assert _classes(1.5, min_area=7.9) == [0, 1]
-    assert _classes(1.5, min_area=8.1) == [0]
+    plain = _segmented(1.5).regions
+    (area,) = plain.area[plain.region_class == 1]
+    assert 1 in _segmented(1.5, min_area=0.99 * area).regions.region_class
+    assert _segmented(1.5, min_area=1.01 * area).regions.region_class.tolist() == [0]
 
 
 @pytest.mark.parametrize(("bend_x", "bend_y"), [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)])
