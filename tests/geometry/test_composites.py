@@ -31,6 +31,7 @@ SHORT = {
     ("rounded box", "quads", NOISE),
     ("rounded box", "triangles", NOISE),
     ("folded plate", "quads", NOISE),
+    ("folded plate", "triangles", NOISE),
 }
 ROWS = [
     row

@@ -33,8 +33,9 @@ _REACH = 8.0
 _NEAREST = 0.5
 #: Cosine between normals beyond which a point belongs to another sheet.
 _FACING = 0.3
-#: Points that must lie within this share of the reach: two thirds of what half a disc holds.
-_WIDE, _LEAST = 0.75, 28
+#: Half a disc of points scatters twice to almost three times as far along the border as across it; a
+#: strip that scatters more tells nothing about what lies across it.
+_SLENDER = 3.0
 #: Second derivatives of the two sides must differ by this many limits, and standard deviations.
 _JUMP, _SIGNIFICANT = 0.75, 4.0
 #: They must differ by more than they change on the way, and by this share of themselves.
@@ -188,9 +189,7 @@ def _continue_side(
     points = source[near]
     facing = np.einsum("pj,pcj->pc", curvature.normal[asked], curvature.normal[points])
     is_used = (piece[points] == piece[points[:, :1]]) & (distance < reach) & (facing > _FACING)
-    # A strip of two rows would tell nothing about what lies across it.
-    is_wide = (distance < _WIDE * reach).sum(axis=1, keepdims=True) >= _LEAST
-    is_used &= is_wide & (distance[:, :1] < _NEAREST * reach)
+    is_used &= distance[:, :1] < _NEAREST * reach
     normal = (curvature.normal[points] * is_used[:, :, None]).sum(axis=1)
     normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
     # Axes that turn along with the normal, so that second derivatives can be compared.
@@ -201,8 +200,21 @@ def _continue_side(
     x, y, z = (
         np.einsum("pcj,pj->pc", arm, side) for side in (first, np.cross(normal, first), normal)
     )
+    is_used &= (_slenderness(x, y, is_used) < _SLENDER)[:, None]
     none = np.zeros(len(asked))
     return continue_surface((x, y, z), (none, none, none), is_used, curvature.noise)
+
+
+def _slenderness(x: Floats, y: Floats, is_used: Flags) -> Floats:
+    """Return how many times farther points scatter along their strip than across it."""
+    weight = is_used / np.maximum(is_used.sum(axis=1, keepdims=True), 1)
+    x = x - (weight * x).sum(axis=1, keepdims=True)
+    y = y - (weight * y).sum(axis=1, keepdims=True)
+    xx, xy, yy = ((weight * product).sum(axis=1) for product in (x * x, x * y, y * y))
+    mean, gap = 0.5 * (xx + yy), np.hypot(0.5 * (xx - yy), xy)
+    result = np.full(len(x), np.inf)
+    np.divide(mean + gap, mean - gap, out=result, where=mean > gap)
+    return np.sqrt(result)
 
 
 def _jumps(bends: dict[int, Floats], is_sound: Flags, limit: float) -> Flags:
