@@ -53,8 +53,9 @@ def _draw(
         axis.set_xlabel("vertices")
     for row in axes:
         row[0].set_ylabel(label, fontsize=8)
-    axes[0][0].legend(fontsize=6)
-    figure.tight_layout()
+    handles, labels = axes[0][0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="lower center", ncol=len(labels), fontsize=8, frameon=False)
+    figure.tight_layout(rect=(0.0, 0.05, 1.0, 1.0))
     PICTURES.mkdir(parents=True, exist_ok=True)
     figure.savefig(PICTURES / f"{name}.png", dpi=_RESOLUTION)
     print(f"wrote {PICTURES / name}.png")
