@@ -33,8 +33,8 @@ _REACH = 8.0
 _NEAREST = 0.5
 #: Cosine between normals beyond which a point belongs to another sheet.
 _FACING = 0.3
-#: Half a disc of points scatters twice to almost three times as far along the border as across it; a
-#: strip that scatters more tells nothing about what lies across it.
+#: Half a disc of points scatters twice to almost three times as far along the border as across it;
+#: a strip that scatters more tells nothing about what lies across it.
 _SLENDER = 3.0
 #: Second derivatives of the two sides must differ by this many limits, and standard deviations.
 _JUMP, _SIGNIFICANT = 0.75, 4.0
