@@ -86,6 +86,17 @@ def _figures(pictures: Sequence[Picture]) -> str:
     return f"<section class='pictures'>{items}</section>"
 
 
+def _estimates(counts: dict[str, int]) -> str:
+    """Return in a line how many points were not measured as well as the others."""
+    words = {
+        "smoothed": "had noise smoothed away",
+        "low_order": "allowed only a fit of low order",
+        "undefined": "are undefined",
+    }
+    told = [f"{counts[key]:,} points {text}" for key, text in words.items() if counts.get(key)]
+    return f"<p class='faint'>{'; '.join(told)}</p>" if told else ""
+
+
 def _object_section(block: dict[str, Any], palette: Mapping[str, str]) -> str:
     parts = [
         f"<h2>{escape(block['name'])}</h2>",
@@ -93,6 +104,7 @@ def _object_section(block: dict[str, Any], palette: Mapping[str, str]) -> str:
         f"{'; from ' + escape(block['source']) if block['source'] else ''}</p>",
     ]
     parts += [f"<p class='warning'>{escape(sentence)}</p>" for sentence in block["warnings"]]
+    parts.append(_estimates(block.get("estimates", {})))
     if "classes" in block:
         parts += [
             f"<p>{_limit_sentences(block)}</p>",

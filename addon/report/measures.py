@@ -52,6 +52,11 @@ def measure_object(analysis: Analysis, segmentation: Segmentation | None = None)
         "faces": surface.mesh.polygon_count,
         "area": float(surface.polygon_area.sum()),
         "warnings": list(analysis.warnings),
+        "estimates": {
+            "smoothed": int(curvature.is_smoothed.sum()),
+            "low_order": int(curvature.is_doubtful.sum()),
+            "undefined": int((~curvature.is_defined).sum()),
+        },
     }
     for key, values in (
         ("gaussian_curvature", curvature.gaussian),

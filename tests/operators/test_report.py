@@ -26,7 +26,10 @@ SETTINGS = {
     "scale_length",
 }
 QUANTITIES = ("gaussian_curvature", "mean_curvature", "k1", "k2")
-ANALYSIS = {"name", "source", "vertices", "faces", "area", "warnings", *QUANTITIES}
+ANALYSIS = {
+    *("name", "source", "vertices", "faces", "area", "warnings", "estimates"),
+    *QUANTITIES,
+}
 SEGMENTATION = {"classes", "regions"}
 STATISTICS = {"min", "max", "mean", "median", "p05", "p95"}
 CLASSES = (

@@ -9,6 +9,7 @@ import math
 from pathlib import Path
 
 import bpy
+import numpy as np
 import pytest
 from bpy.types import Object
 from models import STRICT, add_surface, barrel, dome, only_select, stored
@@ -125,10 +126,11 @@ def test_flipped_normals_change_the_signs_and_not_the_classes() -> None:
 
 def test_minimum_area_absorbs_small_regions() -> None:
     """A flat roof with a small dome in its middle."""
-    obj = add_surface(lambda x, y: 0.05 * ((x**2 + y**2) < 0.01))
-    bpy.ops.curvature.segment(panel_size=1.0, deviation=0.01, crease_angle=math.pi)
+    obj = add_surface(lambda x, y: 0.1 * np.maximum(1.0 - (x**2 + y**2) / 0.25, 0.0) ** 2)
+    given = {"panel_size": 1.0, "deviation": 0.01, "crease_angle": math.pi}
+    bpy.ops.curvature.segment(**given, min_area=1e-6)
     assert len(set(stored(obj, "curvature_region").tolist())) > 1
-    bpy.ops.curvature.segment(panel_size=1.0, deviation=0.01, crease_angle=math.pi, min_area=3.0)
+    bpy.ops.curvature.segment(**given, min_area=3.0)
     assert set(stored(obj, "curvature_region").tolist()) == {0}
 
 

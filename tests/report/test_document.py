@@ -70,6 +70,7 @@ def test_an_object_is_measured_by_formula() -> None:
     assert flat["share"] == pytest.approx(caps / (wall + caps), rel=1e-12)
     assert flat["min_radius"] is None
     assert block["warnings"] == ["1 vertex has no faces and no curvature"]
+    assert block["estimates"] == {"smoothed": 0, "low_order": 0, "undefined": 0}
     assert block["curvature_limit"] == 0.08
     assert block["criterion"] == "PANEL"
     assert block["criterion_words"].endswith("within 10 mm of a cylinder over a 1 m panel")
