@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-SCREEN_SIZE = (1600, 900)
+SCREEN_SIZE = (1600, 1200)
 _HERE = Path(__file__).resolve().parent
 _TIME_LIMIT = 300.0
 _POLL_SECONDS = 0.02
