@@ -20,6 +20,10 @@ from .vectors import unit
 #: A line closes if its arms miss each other by no more than this share of its length, more where
 #: directions are uncertain, or of a side of a triangle, and of the spacing.
 _MISS_LENGTH, _MISS_EDGE, _MISS_SPACING = 0.005, 0.5, 0.4
+#: Ends at which a line has crossed the whole of its piece: there even a short one is wanted.
+_OUTLINE = (LineEnd.RIM, LineEnd.CREASE, LineEnd.AREA)
+#: Shortest such line over the shortest of others.
+_ACROSS = 0.1
 #: Points closer than this share of a side of a triangle to the one before are left out.
 _DOUBLE = 1e-4
 
@@ -47,7 +51,7 @@ def assemble(
         As traced.
     rules : Rules
     shortest : float
-        Lines below this length in meters are left out, and below half of it from rim to rim.
+        Lines below this length in meters are left out, and below a tenth of it from rim to rim.
 
     Returns
     -------
@@ -69,8 +73,8 @@ def assemble(
     step[np.diff(line, prepend=-1) != 0] = 0.0
     length = np.bincount(line, step, len(state.is_removed))
     corner = np.arange(len(length))[:, None] * 2 + [1, 0]
-    spans = np.isin(state.end[corner], (LineEnd.RIM, LineEnd.CREASE)).all(axis=1)
-    is_kept = ~is_double & (length >= np.where(spans, 0.5, 1.0) * shortest)[line]
+    spans = np.isin(state.end[corner], _OUTLINE).all(axis=1)
+    is_kept = ~is_double & (length >= np.where(spans, _ACROSS, 1.0) * shortest)[line]
     order, line = order[is_kept], line[is_kept]
     seed, count = np.unique(line, return_counts=True)
     return CurvatureLines(

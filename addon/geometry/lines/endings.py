@@ -15,6 +15,9 @@ from .samples import Samples, Trail, close_pairs
 from .steps import Walkers, cross
 from .umbilics import Umbilics
 
+#: Most way in one step, and about the way between the places that are compared with other lines,
+#: over the spacing.
+STEP = 0.25
 #: Lines of their own closer than this way, over the spacing, are neighbors on the line.
 _OWN = 1.5
 #: Lines end within this share of the spacing from an umbilic, where they begin to leave it.
@@ -169,18 +172,20 @@ def end_at_neighbors(
 ) -> None:
     """End arms that came too close to lines placed before, to others traced now, or to itself."""
     sample, _ = close_pairs(recent, placed, rules.spacing, rules.nearest, 1)
-    _cut(state, recent.arm[sample], recent.arc[sample])
+    _cut(state, recent.arm[sample], recent.arc[sample], rules)
     sample, other = close_pairs(recent, seen, rules.spacing, rules.nearest, _PARTNERS)
     one, two = recent.chosen(sample), seen.chosen(other)
     is_kept = (two.arc <= state.cut[two.arm]) & (one.arc <= state.cut[one.arm])
     is_own = one.line == two.line
     is_apart = np.abs(one.signed_arc - two.signed_arc) > _OWN * rules.spacing
-    _meet_itself(state, one, two, is_kept & is_own & is_apart)
+    _meet_itself(state, one, two, is_kept & is_own & is_apart, rules)
     if rules.competes:
-        _meet_others(state, one, two, is_kept & ~is_own)
+        _meet_others(state, one, two, is_kept & ~is_own, rules)
 
 
-def _meet_itself(state: Arms, one: Samples, two: Samples, flags: Flags) -> None:
+def _meet_itself(
+    state: Arms, one: Samples, two: Samples, flags: Flags, rules: Rules
+) -> None:
     """Close lines whose arms ran past each other, end arms that came back beside their line."""
     one, two = one.chosen(flags), two.chosen(flags)
     apart = one.position - two.position
@@ -191,10 +196,12 @@ def _meet_itself(state: Arms, one: Samples, two: Samples, flags: Flags) -> None:
     state.end[np.repeat(2 * np.flatnonzero(state.closing), 2).reshape(-1, 2) + [0, 1]] = (
         LineEnd.CLOSED
     )
-    _cut(state, one.arm[~is_meeting], one.arc[~is_meeting])
+    _cut(state, one.arm[~is_meeting], one.arc[~is_meeting], rules)
 
 
-def _meet_others(state: Arms, one: Samples, two: Samples, flags: Flags) -> None:
+def _meet_others(
+    state: Arms, one: Samples, two: Samples, flags: Flags, rules: Rules
+) -> None:
     """End the less important of two arms that run beside each other, drop it if they meet."""
     one, two = one.chosen(flags), two.chosen(flags)
     is_first = one.line > two.line
@@ -207,11 +214,12 @@ def _meet_others(state: Arms, one: Samples, two: Samples, flags: Flags) -> None:
     state.is_removed[loser_arm[is_head_on] // 2] = True
     gone = np.flatnonzero(state.is_removed)
     state.end[np.concatenate([2 * gone, 2 * gone + 1])] = LineEnd.NEIGHBOR
-    _cut(state, loser_arm[~is_head_on], loser_arc[~is_head_on])
+    _cut(state, loser_arm[~is_head_on], loser_arc[~is_head_on], rules)
 
 
-def _cut(state: Arms, arm: Indices, arc: Floats) -> None:
-    """End arms beside a neighbor."""
+def _cut(state: Arms, arm: Indices, arc: Floats, rules: Rules) -> None:
+    """End arms beside a neighbor: a step before the place that turned out to be too close."""
+    arc = np.maximum(arc - STEP * rules.spacing, 0.0)
     closer = arc < state.cut[arm]
     np.minimum.at(state.cut, arm[closer], arc[closer])
     state.end[arm[closer]] = LineEnd.NEIGHBOR

@@ -34,7 +34,7 @@ from .tracing import trace
 _NEAREST = 0.5
 #: Seeds closer than this share of the spacing to a line are none.
 _FREE = 0.85
-#: Shorter lines than this many spacings are left out; half of it from rim to rim.
+#: Shorter lines than this many spacings are left out; a tenth of it from rim to rim.
 _SHORTEST = 1.0
 #: Most rounds of filling; gaps are gone much earlier.
 _ROUNDS = 60

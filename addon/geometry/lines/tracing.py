@@ -12,6 +12,7 @@ import numpy as np
 
 from ..types import Floats
 from .endings import (
+    STEP,
     Arms,
     Rules,
     end_at_neighbors,
@@ -27,9 +28,6 @@ from .seeds import Seeds
 from .steps import follow, start_walkers
 from .umbilics import Umbilics
 
-#: Most way in one step, and about the way between the places that are compared with other lines,
-#: over the spacing.
-_STEP = 0.25
 #: Least number of steps between two looks at other lines.
 _LOOK = 8
 #: Way between two looks, over the side of a triangle, below which an arm is stuck.
@@ -84,7 +82,7 @@ def trace(
     count, seen = 0, take_samples(field, no_trail())
     while len(active := np.flatnonzero(state.end < 0)):
         moving = walkers.chosen(active)
-        way, side = follow(field, moving, np.full(len(active), _STEP * rules.spacing))
+        way, side = follow(field, moving, np.full(len(active), STEP * rules.spacing))
         arc[active] += way
         new = Trail(
             active,
@@ -95,7 +93,7 @@ def trace(
             moving.family,
         )
         parts.append(new)
-        is_due = new.arc >= looked[active] + _STEP * rules.spacing * (1.0 - 1e-6)
+        is_due = new.arc >= looked[active] + STEP * rules.spacing * (1.0 - 1e-6)
         looked[active[is_due]] = new.arc[is_due]
         sparse.append(new.chosen(is_due))
         end_at_umbilics(field, around, new, state)
