@@ -12,11 +12,14 @@ import numpy as np
 from ..curvature import Curvature
 from ..surface import Surface
 from ..types import Flags, Floats, Indices
+from .areas import find_areas
 from .assembly import assemble
+from .calming import calmed
 from .endings import Rules
 from .field import PRINCIPAL, DirectionField, Family, build_direction_field
+from .filling import filled
 from .lines import CurvatureLines
-from .refinement import bridged, smoothed
+from .refinement import smoothed
 from .samples import Samples, no_trail, take_samples
 from .seeds import Seeds, make_seeds
 from .tracing import trace
@@ -74,8 +77,11 @@ def build_line_field(
     """
     field = build_direction_field(surface, curvature, umbilic_tolerance)
     transport = build_transport(field.mesh, field.normal)
-    field, zone = bridged(smoothed(field, transport, smoothing_length), transport)
-    return LineField(field, find_umbilics(field, transport, zone))
+    field = smoothed(field, transport, smoothing_length)
+    areas = find_areas(field, transport)
+    field = filled(field, transport, areas.zone >= 0, areas.is_void)
+    field = calmed(field, transport, areas)
+    return LineField(field, find_umbilics(field, transport, areas))
 
 
 def trace_from(

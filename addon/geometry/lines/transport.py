@@ -77,10 +77,15 @@ class Transport:
         angle = np.arctan2(quotient.imag, quotient.real)
         return np.where(is_forward, angle, -angle)
 
-    def laplacian(self) -> Graph:
+    def laplacian(self, is_linked: Flags | None = None) -> Graph:
         """Return the matrix of the squared difference of neighbors' deviators, (s, s) complex.
 
         Hermitian and positive; weighted by cotangents, so that it has no unit.
+
+        Parameters
+        ----------
+        is_linked : (s,) bool, optional
+            Sectors that have anything to do with their neighbors; by default all.
         """
         from scipy.sparse import csr_matrix
 
@@ -88,6 +93,8 @@ class Transport:
         start, end = mesh.triangles, np.roll(mesh.triangles, -1, axis=1)
         opposite = np.roll(_corner_angles(mesh), 1, axis=1)
         weight = 0.5 * np.clip(1.0 / np.tan(np.maximum(opposite, 1e-3)), *_WEIGHTS).ravel()
+        if is_linked is not None:
+            weight = weight * (is_linked[start] & is_linked[end]).ravel()
         carried = np.exp(2j * (np.roll(self.previous_angle, -1, axis=1) - self.next_angle)).ravel()
         i, j = start.ravel(), end.ravel()
         entries = np.concatenate([weight, weight, -weight * carried.conj(), -weight * carried])

@@ -17,6 +17,8 @@ import numpy as np
 
 from ..groups import connected_groups, sum_by_group
 from ..types import Flags, Floats, Indices
+from .areas import Areas
+from .calming import half_indices
 from .field import DirectionField
 from .linear_zero import Zeros, find_zeros
 from .transport import Transport
@@ -87,24 +89,22 @@ class Umbilics:
         return float(self.index.sum() + self.area_index.sum())
 
 
-def find_umbilics(field: DirectionField, transport: Transport, zone: Indices) -> Umbilics:
+def find_umbilics(field: DirectionField, transport: Transport, areas: Areas) -> Umbilics:
     """Return the umbilic points and areas of a field.
 
     Parameters
     ----------
     field : DirectionField
     transport : Transport
-    zone : (s,) int64
-        Doubtful zones from `refinement.bridged`.
+    areas : Areas
 
     Returns
     -------
     Umbilics
     """
     mesh = field.mesh
-    total = transport.turn(field.deviator).sum(axis=1) + 2.0 * transport.excess()
-    index = total / (4.0 * np.pi)
-    triangle_area, area_count = _areas(mesh.triangles, zone)
+    index = 0.5 * half_indices(field, transport)
+    triangle_area, area_count = areas.triangle_area, areas.count
     is_inside = triangle_area >= 0
     area_index = sum_by_group(triangle_area[is_inside], index[is_inside], area_count)
     # Around an area that reaches the outline of the surface one cannot walk.
@@ -115,7 +115,7 @@ def find_umbilics(field: DirectionField, transport: Transport, zone: Indices) ->
     )
     half = np.rint(2.0 * index).astype(np.int64)
     half[is_inside] = 0
-    zeros = _grouped(field, find_zeros(field, np.flatnonzero(half)), half, zone)
+    zeros = _grouped(field, find_zeros(field, np.flatnonzero(half)), half, areas.zone)
     return Umbilics(
         position=mesh.points(zeros.triangle, zeros.barycentric),
         triangle=zeros.triangle,
@@ -129,19 +129,6 @@ def find_umbilics(field: DirectionField, transport: Transport, zone: Indices) ->
     )
 
 
-def _areas(triangles: Indices, zone: Indices) -> tuple[Indices, int]:
-    """Return the area that each triangle touches, joined where one touches two, and their count."""
-    at_corner = zone[triangles]
-    area = at_corner.max(axis=1)
-    count = int(zone.max(initial=-1)) + 1
-    second = np.where(at_corner >= 0, at_corner, area[:, None]).min(axis=1)
-    is_bridge = (area >= 0) & (second != area)
-    joined = connected_groups(np.stack([area, second], axis=1)[is_bridge], max(count, 1))
-    if not count:
-        return np.full(len(triangles), -1, dtype=np.int64), 0
-    return np.where(area >= 0, joined[np.maximum(area, 0)], -1), int(joined.max()) + 1
-
-
 def _grouped(field: DirectionField, zeros: Zeros, half: Indices, zone: Indices) -> Zeros:
     """Return zeros with those that noise cannot tell apart taken together.
 
@@ -152,11 +139,10 @@ def _grouped(field: DirectionField, zeros: Zeros, half: Indices, zone: Indices) 
     corner = field.mesh.triangles[triangle]
     count = field.mesh.sector_count
     # Sectors, zones and zeros are items of one list, and linked.
-    small = np.maximum(-1 - zone, 0)
-    zones = int(small.max(initial=0)) + 1
+    zones = int(zone.max(initial=-1)) + 1
     item = count + zones + np.arange(len(triangle))
     is_weak = field.strength < _WEAK * field.doubt
-    meeting = np.where(small > 0, count + small, np.where(is_weak, np.arange(count), -1))[corner]
+    meeting = np.where(zone >= 0, count + zone, np.where(is_weak, np.arange(count), -1))[corner]
     zero, place = np.nonzero(meeting >= 0)
     links = np.stack([item[zero], meeting[zero, place]], axis=1)
     group = connected_groups(links, count + zones + len(triangle))[item]
