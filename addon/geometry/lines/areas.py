@@ -27,9 +27,9 @@ _LONG = 2.0
 #: Strength over the tolerance up to which what touches an area belongs to it: the limit is crossed
 #: once, not again at every ripple.
 _RIPPLE = 3.0
-#: Turn of the deviator along a side, in radians, from which the directions swap there: by 60
-#: degrees and more.
-_SWAP = 2.0 * np.pi / 3.0
+#: Turn of the deviator along a side, in radians, from which the directions swap there, by 60
+#: degrees and more; and from which a side belongs to a seam most of whose sides do.
+_SWAP, _BEND = 2.0 * np.pi / 3.0, np.pi / 2.0
 #: Radius of a seam over the typical side that crosses it; around umbilic points it is one.
 _SEAM = 2.5
 #: Sides at an outline or an area that a shorter seam has at least: one at each end.
@@ -148,8 +148,8 @@ def _seams(
     mesh = field.mesh
     start, end = mesh.triangles, np.roll(mesh.triangles, -1, axis=1)
     is_open = is_doubtful[start] | is_doubtful[end]
-    is_swap = np.abs(transport.turn(field.deviator)) > _SWAP
-    is_crossed = (is_swap | is_open) & ~(is_void[start] | is_void[end])
+    turn = np.abs(transport.turn(field.deviator))
+    is_crossed = ((turn > _BEND) | is_open) & ~(is_void[start] | is_void[end])
     triangle, corner = np.nonzero(is_crossed)
     # The side from corner c to the next lies opposite to corner c + 2.
     beyond = mesh.neighbor[triangle, (corner + 2) % 3]
@@ -168,8 +168,11 @@ def _seams(
     # A short one parts a narrow piece from one side to the other.
     is_end = (beyond < 0) | is_void[start[triangle]].any(axis=1)
     through = sum_by_group(group[triangle], is_end.astype(np.float64), count) >= _THROUGH
+    is_swap = ((turn > _SWAP) | is_open)[triangle, corner]
+    swaps = sum_by_group(group[triangle], is_swap.astype(np.float64), count)
+    is_whole = ((extent > least) | through) & (swaps > 0.5 * number)
     is_seam = np.zeros(len(start), dtype=np.bool_)
-    is_seam[triangle] = ((extent > least) | through)[group[triangle]]
+    is_seam[triangle] = is_whole[group[triangle]]
     return is_seam
 
 

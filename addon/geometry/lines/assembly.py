@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..types import Flags, Floats, Indices
-from .endings import Arms, Rules
+from .endings import Arms, Rules, far_along
 from .field import DirectionField
 from .lines import CurvatureLines, LineEnd
 from .samples import Samples, close_pairs
@@ -102,7 +102,7 @@ def _meetings(field: DirectionField, state: Arms, samples: Samples, rules: Rules
     one, two = _own_pairs(forward, backward, rules)
     apart = forward.position[one] - backward.position[two]
     ahead = np.einsum("nx,nx->n", apart, backward.heading[two])
-    far = forward.arc[one] + backward.arc[two] > 1.5 * rules.spacing
+    far = far_along(forward.chosen(one), backward.chosen(two), rules.spacing)
     behind = np.flatnonzero(far & (ahead <= 0.0))
     order = behind[np.lexsort((forward.arc[one[behind]], forward.arm[one[behind]]))]
     first = order[np.flatnonzero(np.diff(forward.line[one[order]], prepend=-1))]

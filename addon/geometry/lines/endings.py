@@ -20,6 +20,8 @@ from .umbilics import Umbilics
 STEP = 0.25
 #: Lines of their own closer than this way, over the spacing, are neighbors on the line.
 _OWN = 1.5
+#: Or if they are no closer than this share of the way between them; half a circle has 0.64.
+_BACK = 0.5
 #: Lines end within this share of the spacing from an umbilic, where they begin to leave it.
 _UMBILIC = 0.25
 #: Strength of an asymptotic direction over that of the principal ones where lines end.
@@ -177,10 +179,20 @@ def end_at_neighbors(
     one, two = recent.chosen(sample), seen.chosen(other)
     is_kept = (two.arc <= state.cut[two.arm]) & (one.arc <= state.cut[one.arm])
     is_own = one.line == two.line
-    is_apart = np.abs(one.signed_arc - two.signed_arc) > _OWN * rules.spacing
+    is_apart = far_along(one, two, rules.spacing)
     _meet_itself(state, one, two, is_kept & is_own & is_apart, rules)
     if rules.competes:
         _meet_others(state, one, two, is_kept & ~is_own, rules)
+
+
+def far_along(one: Samples, two: Samples, spacing: float) -> Flags:
+    """Return pairs of samples of one line between which there is much of it, (n,) bool.
+
+    More than a while, or much more than their distance: around a thin pipe it is not far.
+    """
+    way = np.abs(one.signed_arc - two.signed_arc)
+    apart = np.linalg.norm(one.position - two.position, axis=1)
+    return (way > _OWN * spacing) | (apart < _BACK * way)
 
 
 def _meet_itself(
