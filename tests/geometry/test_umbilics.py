@@ -13,9 +13,10 @@ from architectural_curvature.addon.geometry.lines.tracer import LineField, build
 from architectural_curvature.addon.geometry.lines.umbilics import UmbilicKind
 from architectural_curvature.addon.geometry.mesh import mesh_from_polygons
 from architectural_curvature.addon.geometry.surface import build_surface
-from surfaces.catalogue import PATCHES
+from surfaces.catalogue import PATCHES, Patch
 from surfaces.sampling import Sample, sample_patch
 from surfaces.spheres import sample_ellipsoid
+from surfaces.taylor import sin
 
 AXES = (1.5, 1.2, 1.0)
 
@@ -51,6 +52,33 @@ def test_monkey_saddle_has_one_star() -> None:
     assert umbilics.index.tolist() == [-0.5]
     assert umbilics.kind.tolist() == [UmbilicKind.STAR]
     assert np.linalg.norm(umbilics.position) < sample.longest_edge
+
+
+@pytest.mark.parametrize(
+    ("cubic", "kind"),
+    [(1.5, UmbilicKind.MONSTAR), (1.7, UmbilicKind.MONSTAR), (3.0, UmbilicKind.LEMON)],
+)
+def test_a_cubic_form_decides_between_lemon_and_monstar(cubic: float, kind: UmbilicKind) -> None:
+    """On z = -(x² + y²) / 20 - (a x³ + 3 x y²) / 3 the second derivatives differ by what the cubic
+    form says: zxx - zyy = -2 (a - 1) x and 2 zxy = -4 y. A line leaves straight at the angle t where
+    their quotient is tan 2t: sin t = 0, or cos² t = 1 / (3 - a), which is a share for a < 2.
+    """
+    roof = Patch(
+        lambda u, v: (u, v, -0.05 * (u * u + v * v) - (cubic * u * u * u + 3.0 * u * v * v) / 3.0),
+        (-0.8, 0.8),
+        (-0.8, 0.8),
+    )
+    sample = sample_patch(roof, "regular", (61, 61))
+    umbilics = line_field(sample).umbilics
+    here = np.flatnonzero(np.linalg.norm(umbilics.position, axis=1) < sample.longest_edge)
+    assert umbilics.index[here].tolist() == [0.5]
+    assert umbilics.kind[here].tolist() == [kind]
+    ray = umbilics.rays[here[0]]
+    ray = ray[(ray != 0.0).any(axis=1)]
+    lean = np.degrees(np.arctan(np.abs(ray[:, 1] / ray[:, 0])))
+    aside = np.degrees(np.arccos(np.sqrt(1.0 / (3.0 - cubic)))) if cubic < 2.0 else 0.0
+    expected = [0.0, aside, aside] if kind == UmbilicKind.MONSTAR else [0.0]
+    assert np.sort(lean) == pytest.approx(expected, abs=5.0)
 
 
 def test_rays_of_a_monkey_saddle_are_sixty_degrees_apart() -> None:
@@ -90,6 +118,38 @@ def test_poles_of_a_spheroid_have_index_one() -> None:
     assert umbilics.index.sum() + umbilics.area_index.sum() == 2.0
     top = umbilics.position[:, 2] > 0.0
     assert umbilics.index[top].sum() == 1.0
+
+
+@pytest.mark.parametrize("cells", [(40, 12), (41, 12), (120, 30)])
+@pytest.mark.parametrize("noise", [0.0, 0.002])
+def test_where_a_profile_turns_over_there_is_a_seam_and_no_umbilic(
+    cells: tuple[int, int], noise: float
+) -> None:
+    """On z = sin(2x) / 3 the larger curvature is across the waves on crests, along them in dips."""
+    waves = Patch(lambda u, v: (u, v, sin(2.0 * u) / 3.0), (-2.0, 2.0), (-0.6, 0.6))
+    sample = sample_patch(waves, "regular", cells)
+    lines = line_field(sample, noise)
+    assert lines.umbilics.count == 0
+    middle = lines.field.mesh.points(
+        np.arange(len(lines.umbilics.triangle_area)),
+        np.full((len(lines.umbilics.triangle_area), 3), 1.0 / 3.0),
+    )
+    in_area = lines.umbilics.triangle_area >= 0
+    turns = np.array([-0.5 * pi, 0.0, 0.5 * pi])
+    away = np.abs(middle[:, :1] - turns).min(axis=1)
+    assert in_area[away < 0.2 * sample.longest_edge].all()
+    assert away[in_area].max() < 3.0 * sample.longest_edge
+
+
+def test_a_plane_takes_in_the_ripples_beside_it() -> None:
+    """A plate that is flat but for noise, next to a bend, is one area without umbilics."""
+    profile = Patch(
+        lambda u, v: (u, v, 0.0 * u), (-1.0, 1.0), (-1.0, 1.0)
+    )
+    sample = sample_patch(profile, "irregular", (30, 30))
+    umbilics = line_field(sample, 2e-4).umbilics
+    assert umbilics.count == 0
+    assert umbilics.area_size == pytest.approx([4.0], rel=1e-3)
 
 
 def test_confidence_falls_towards_umbilics() -> None:

@@ -13,6 +13,8 @@ import bpy
 import pytest
 from architectural_curvature.addon import steps, tasks
 from architectural_curvature.addon.choices import analysis_settings, segmentation_settings
+from architectural_curvature.addon.tracing.lines import trace_objects
+from architectural_curvature.addon.tracing.settings import LineSettings, Plan, families_of
 from models import add_surface, dome, own_attributes
 
 Advance = Callable[[float], None]
@@ -112,3 +114,19 @@ def test_a_cancelled_segmentation_leaves_the_model_as_it_was() -> None:
     # Another run finds nothing in its way.
     assert bpy.ops.curvature.segment() == {"FINISHED"}
     assert obj.data.curvature.is_segmented
+
+
+@pytest.mark.parametrize("looks", [1, 4])
+def test_cancelled_tracing_leaves_the_model_as_it_was(looks: int) -> None:
+    obj, context = add_surface(dome), bpy.context
+    before = set(bpy.data.objects)
+    lines = LineSettings(families_of("PRINCIPAL", "BOTH"))
+    plan = Plan(analysis_settings(context), segmentation_settings(context), lines)
+    run = steps.Run(trace_objects(context, [obj], plan))
+    for _ in range(looks):
+        run.advance(0.005)
+    run.cancel()
+    assert not own_attributes(obj)
+    assert set(bpy.data.objects) == before
+    # Another run finds nothing in its way.
+    assert bpy.ops.curvature.segment() == {"FINISHED"}

@@ -56,26 +56,27 @@ def calmed(field: DirectionField, transport: Transport, areas: Areas) -> Directi
         index = np.rint(half_indices(field, transport)).astype(np.int64)
         index[areas.triangle_area >= 0] = 0
         one, other = _pairs(field, index)
-        is_open = _kinks(field, transport, index, areas.is_void)
+        is_open = _kinks(field, transport, index, areas)
         if len(one):
             is_open |= _around(field, one, other, 1.0 + 0.5 * turn)
         if not is_open.any():
             break
-        field = filled(field, transport, is_open, areas.is_void)
+        field = filled(field, transport, is_open, areas)
     return field
 
 
-def _kinks(field: DirectionField, transport: Transport, index: Indices, is_void: Flags) -> Flags:
+def _kinks(field: DirectionField, transport: Transport, index: Indices, areas: Areas) -> Flags:
     """Return the sectors at sides along which directions turn too much to follow, (s,) bool.
 
     Umbilics stay where they are: around them directions turn rightly.
     """
     start = field.mesh.triangles
     is_kink = np.abs(transport.turn(field.deviator)) > _KINK
+    is_kink &= (areas.triangle_area < 0)[:, None]
     is_open = np.zeros(field.mesh.sector_count, dtype=np.bool_)
     is_open[start[is_kink]] = is_open[np.roll(start, -1, axis=1)[is_kink]] = True
     is_open[start[index != 0]] = False
-    return is_open & ~is_void
+    return is_open
 
 
 def _pairs(field: DirectionField, index: Indices) -> tuple[Indices, Indices]:

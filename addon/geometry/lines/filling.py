@@ -7,12 +7,13 @@ from __future__ import annotations
 import numpy as np
 
 from ..types import Complexes, Flags, Floats, Graph, Indices
+from .areas import Areas
 from .field import DirectionField
 from .transport import Transport
 
 
 def filled(
-    field: DirectionField, transport: Transport, is_open: Flags, is_void: Flags
+    field: DirectionField, transport: Transport, is_open: Flags, areas: Areas
 ) -> DirectionField:
     """Return the field with some sectors' deviators interpolated from around them.
 
@@ -26,17 +27,17 @@ def filled(
         Of its mesh and normals.
     is_open : (s,) bool
         Sectors to fill.
-    is_void : (s,) bool
-        Sectors that say nothing about others.
+    areas : Areas
+        Across which nothing is interpolated.
 
     Returns
     -------
     DirectionField
     """
-    chosen = np.flatnonzero(is_open & ~is_void)
+    chosen = np.flatnonzero(is_open & ~areas.is_void)
     if not len(chosen):
         return field
-    matrix = transport.laplacian(~is_void)
+    matrix = transport.laplacian(areas.triangle_area < 0)
     even = matrix.copy()
     even.data = -np.abs(even.data)
     even.setdiag(matrix.diagonal().real)

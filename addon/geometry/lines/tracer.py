@@ -79,7 +79,7 @@ def build_line_field(
     transport = build_transport(field.mesh, field.normal)
     field = smoothed(field, transport, smoothing_length)
     areas = find_areas(field, transport)
-    field = filled(field, transport, areas.zone >= 0, areas.is_void)
+    field = filled(field, transport, areas.zone >= 0, areas)
     field = calmed(field, transport, areas)
     return LineField(field, find_umbilics(field, transport, areas))
 

@@ -84,8 +84,8 @@ class Transport:
 
         Parameters
         ----------
-        is_linked : (s,) bool, optional
-            Sectors that have anything to do with their neighbors; by default all.
+        is_linked : (t,) bool, optional
+            Triangles whose corners have anything to do with each other; by default all.
         """
         from scipy.sparse import csr_matrix
 
@@ -94,7 +94,7 @@ class Transport:
         opposite = np.roll(_corner_angles(mesh), 1, axis=1)
         weight = 0.5 * np.clip(1.0 / np.tan(np.maximum(opposite, 1e-3)), *_WEIGHTS).ravel()
         if is_linked is not None:
-            weight = weight * (is_linked[start] & is_linked[end]).ravel()
+            weight = weight * np.repeat(is_linked, 3)
         carried = np.exp(2j * (np.roll(self.previous_angle, -1, axis=1) - self.next_angle)).ravel()
         i, j = start.ravel(), end.ravel()
         entries = np.concatenate([weight, weight, -weight * carried.conj(), -weight * carried])
