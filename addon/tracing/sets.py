@@ -14,6 +14,7 @@ from ..bridge.curves import LineSet, write_curves
 from ..geometry.fitting import BezierCurve, fit_bezier
 from ..geometry.lines.field import Family
 from ..geometry.lines.lines import CurvatureLines
+from ..geometry.lines.simplification import simplified
 from ..geometry.places import deviation
 from ..geometry.types import Floats
 from .fields import Field
@@ -46,6 +47,9 @@ class Traced:
 
 def make_sets(field: Field, lines: CurvatureLines, settings: LineSettings) -> Traced:
     """Return lines ready to be written; does not touch Blender."""
+    if not settings.is_fitted:
+        # Traced lines have a point at every side of a triangle: many more than show.
+        lines = simplified(lines, field.sizes.tolerance)
     along = _along(field, lines)
     curves = [_curve(field, lines, number, settings) for number in range(lines.count)]
     sets = {}

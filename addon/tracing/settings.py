@@ -15,7 +15,8 @@ from ..geometry.settings import AnalysisSettings, SegmentationSettings
 _FINEST = 1.0 / 3000.0
 #: Thickness of lines as a share of their spacing, where the user gives none.
 _THICKNESS = 0.04
-#: Distance of fitted curves from the lines as a share of the spacing, where the user gives none.
+#: Distance of written curves from the traced lines as a share of the spacing, where the user gives
+#: none.
 _TOLERANCE = 0.002
 
 
@@ -33,7 +34,7 @@ class LineSettings:
     is_fitted : bool
         Whether lines become Bézier curves.
     tolerance : float
-        How far these may be from the lines, in meters.
+        How far what is written may be from the traced lines, in meters.
     thickness : float
         Diameter in meters.
     """

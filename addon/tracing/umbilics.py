@@ -37,7 +37,7 @@ def mark_umbilics(context: Context, objects: list[Object], plan: Plan) -> Steps[
     -------
     Steps of Outcome
     """
-    points, areas = [0], [0]
+    points, areas, totals = [0], [0], [0.0]
 
     def compute(reading: Reading, on_progress: Progress) -> Field:
         return find_field(reading, plan, on_progress)
@@ -51,6 +51,7 @@ def mark_umbilics(context: Context, objects: list[Object], plan: Plan) -> Steps[
         results.add_findings(carrier.data, measure_umbilics(umbilics, place))
         points.append(umbilics.count)
         areas.append(len(umbilics.area_size))
+        totals.append(umbilics.total_index)
         return carrier
 
     with object_mode(context):
@@ -58,7 +59,7 @@ def mark_umbilics(context: Context, objects: list[Object], plan: Plan) -> Steps[
     parts = [_counted(sum(points), "umbilic point")]
     if sum(areas):
         parts.append(_counted(sum(areas), "umbilic area"))
-    outcome.note = " and ".join(parts)
+    outcome.note = f"{' and '.join(parts)}, of index {sum(totals):g} in all"
     return outcome
 
 

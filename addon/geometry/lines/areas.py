@@ -16,7 +16,7 @@ import numpy as np
 
 from ..groups import connected_groups, sum_by_group
 from ..types import Flags, Floats, Indices
-from .field import DirectionField
+from .field import DOUBTFUL, DirectionField
 from .transport import Transport
 from .triangulation import Triangulation
 
@@ -73,7 +73,7 @@ def find_areas(field: DirectionField, transport: Transport) -> Areas:
     Areas
     """
     mesh = field.mesh
-    is_doubtful = (field.strength <= field.doubt) | ~field.is_defined
+    is_doubtful = (field.confidence <= DOUBTFUL) | ~field.is_defined
     radius = _point_radius(field, is_doubtful)
     group = _sector_groups(mesh, is_doubtful)
     is_void = _grown(field, is_doubtful & _is_large(field, group, radius)[group])
@@ -83,8 +83,7 @@ def find_areas(field: DirectionField, transport: Transport) -> Areas:
     in_area |= _islands(field, in_area)
     is_void[mesh.triangles[in_area & ~seam]] = True
     triangle_area, count = _numbered(mesh, in_area)
-    names, zone = np.unique(group, return_inverse=True)
-    del names
+    zone = np.unique(group, return_inverse=True)[1]
     is_point = is_doubtful & ~is_void
     is_point[mesh.triangles[in_area]] = False
     return Areas(triangle_area, count, is_void, np.where(is_point, zone.reshape(-1), -1))

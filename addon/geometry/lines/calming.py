@@ -14,15 +14,13 @@ import numpy as np
 
 from ..types import Complexes, Flags, Floats, Indices
 from .areas import Areas
-from .field import DirectionField
+from .field import WEAK, DirectionField
 from .filling import filled
 from .transport import Transport
 
 #: Umbilics of opposite index no farther apart than this many edges cancel, or this many where all
 #: directions around are weak.
 _NEAR, _NEAR_WEAK = 3.0, 8.0
-#: Strength over the doubt below which directions are weak.
-_WEAK = 5.0
 #: Directions are found anew up to this many edges from a pair, and this share of its distance.
 _AROUND, _SHARE = 2.0, 0.5
 #: Turn of the deviator along a side, in radians, that no line can follow: directions turn by 45
@@ -85,7 +83,7 @@ def _pairs(field: DirectionField, index: Indices) -> tuple[Indices, Indices]:
 
     mesh = field.mesh
     triangle = np.flatnonzero(index)
-    is_weak = (field.strength < _WEAK * field.doubt)[mesh.triangles[triangle]].any(axis=1)
+    is_weak = (field.confidence < WEAK)[mesh.triangles[triangle]].any(axis=1)
     middle = mesh.position[mesh.triangles[triangle]].mean(axis=1)
     sign = np.sign(index[triangle])
     reach = np.where(is_weak, _NEAR_WEAK, _NEAR) * mesh.edge_length

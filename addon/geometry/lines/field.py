@@ -32,6 +32,8 @@ _UMBILIC = 0.05
 #: Standard error of half the difference of k1 and k2 over the uncertainty of either (measured
 #: 0.05 to 0.4; less where the field is smoothed).
 _CALIBRATION = 0.25
+#: Confidence up to which there is no direction to speak of, and up to which a direction is weak.
+DOUBTFUL, WEAK = 0.5, 0.96
 
 
 class Family(IntEnum):

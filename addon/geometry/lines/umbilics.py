@@ -19,12 +19,9 @@ from ..groups import connected_groups, sum_by_group
 from ..types import Flags, Floats, Indices
 from .areas import Areas
 from .calming import half_indices
-from .field import DirectionField
+from .field import WEAK, DirectionField
 from .linear_zero import Zeros, find_zeros
 from .transport import Transport
-
-#: Strength over the doubt below which neighboring zeros may be one.
-_WEAK = 5.0
 
 
 class UmbilicKind(IntEnum):
@@ -141,7 +138,7 @@ def _grouped(field: DirectionField, zeros: Zeros, half: Indices, zone: Indices) 
     # Sectors, zones and zeros are items of one list, and linked.
     zones = int(zone.max(initial=-1)) + 1
     item = count + zones + np.arange(len(triangle))
-    is_weak = field.strength < _WEAK * field.doubt
+    is_weak = field.confidence < WEAK
     meeting = np.where(zone >= 0, count + zone, np.where(is_weak, np.arange(count), -1))[corner]
     zero, place = np.nonzero(meeting >= 0)
     links = np.stack([item[zero], meeting[zero, place]], axis=1)
