@@ -33,32 +33,44 @@ def misoriented_triangles(triangles: Indices) -> Flags:
     return is_turned != (share > 0.5)[patch]
 
 
-def nearest_on_triangles(
-    points: Floats, vertices: Floats, triangles: Indices
-) -> tuple[Floats, Indices, Floats]:
-    """Return what of a surface is nearest to points.
+class TriangleTree:
+    """Triangles in an order in which what of them is nearest to points is found fast.
 
     Parameters
     ----------
-    points : (p, 3) float64
     vertices : (n, 3) float64
     triangles : (t, 3) int64
-
-    Returns
-    -------
-    distance : (p,) float64
-    triangle : (p,) int64
-    nearest : (p, 3) float64
     """
-    import igl  # pyright: ignore[reportMissingTypeStubs] – it does not declare its types
 
-    squared, triangle, nearest = igl.point_mesh_squared_distance(
-        np.ascontiguousarray(points, dtype=np.float64),
-        np.ascontiguousarray(vertices, dtype=np.float64),
-        np.ascontiguousarray(triangles, dtype=np.int64),
-    )
-    return (
-        np.sqrt(np.asarray(squared, dtype=np.float64).reshape(-1)),
-        np.asarray(triangle, dtype=np.int64).reshape(-1),
-        np.asarray(nearest, dtype=np.float64).reshape(-1, 3),
-    )
+    def __init__(self, vertices: Floats, triangles: Indices) -> None:
+        import igl  # pyright: ignore[reportMissingTypeStubs] – it does not declare its types
+
+        self._mesh = (
+            np.ascontiguousarray(vertices, dtype=np.float64),
+            np.ascontiguousarray(triangles, dtype=np.int64),
+        )
+        self._tree = igl.AABB()
+        self._tree.init(*self._mesh)
+
+    def nearest(self, points: Floats) -> tuple[Floats, Indices, Floats]:
+        """Return what of the triangles is nearest to points.
+
+        Parameters
+        ----------
+        points : (p, 3) float64
+
+        Returns
+        -------
+        distance : (p,) float64
+        triangle : (p,) int64
+        nearest : (p, 3) float64
+        """
+        found = self._tree.squared_distance(
+            *self._mesh, np.ascontiguousarray(points, dtype=np.float64)
+        )
+        squared, triangle, nearest = found
+        return (
+            np.sqrt(np.asarray(squared, dtype=np.float64).reshape(-1)),
+            np.asarray(triangle, dtype=np.int64).reshape(-1),
+            np.asarray(nearest, dtype=np.float64).reshape(-1, 3),
+        )

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .libigl import nearest_on_triangles
+from .libigl import TriangleTree
 from .surface import Surface
 from .types import Floats, Indices
 
@@ -14,26 +14,42 @@ from .types import Floats, Indices
 _INSIDE = 1e-3
 
 
-def nearest_places(surface: Surface, points: Floats) -> tuple[Indices, Floats, Floats]:
-    """Return the places on a surface that are nearest to points.
+class PlaceFinder:
+    """Finds the places on a surface that are nearest to points, many times over.
 
     Parameters
     ----------
     surface : Surface
-    points : (p, 3) float64
-        In the mesh's coordinates, in meters.
-
-    Returns
-    -------
-    triangle : (p,) int64
-    barycentric : (p, 3) float64
-    distance : (p,) float64
-        In meters.
     """
-    mesh = surface.mesh
-    triangles = mesh.corner_vertex[mesh.triangle_corner]
-    distance, triangle, nearest = nearest_on_triangles(points, mesh.vertices, triangles)
-    return triangle, _barycentric(mesh.vertices[triangles[triangle]], nearest), distance
+
+    def __init__(self, surface: Surface) -> None:
+        mesh = surface.mesh
+        triangles = mesh.corner_vertex[mesh.triangle_corner]
+        self._corners = mesh.vertices[triangles]
+        self._tree = TriangleTree(mesh.vertices, triangles)
+
+    def nearest(self, points: Floats) -> tuple[Indices, Floats, Floats]:
+        """Return the nearest places.
+
+        Parameters
+        ----------
+        points : (p, 3) float64
+            In the mesh's coordinates, in meters.
+
+        Returns
+        -------
+        triangle : (p,) int64
+        barycentric : (p, 3) float64
+        distance : (p,) float64
+            In meters.
+        """
+        distance, triangle, nearest = self._tree.nearest(points)
+        return triangle, _barycentric(self._corners[triangle], nearest), distance
+
+
+def nearest_places(surface: Surface, points: Floats) -> tuple[Indices, Floats, Floats]:
+    """Return the places on a surface that are nearest to points, see `PlaceFinder.nearest`."""
+    return PlaceFinder(surface).nearest(points)
 
 
 def vertex_places(surface: Surface, vertices: Indices) -> tuple[Indices, Floats]:

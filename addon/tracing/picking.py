@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from bpy.types import Context, Object
@@ -15,7 +16,7 @@ from ..bridge.mode import object_mode
 from ..bridge.subject import Reading, read_object
 from ..geometry.lines.lines import CurvatureLines
 from ..geometry.lines.tracer import trace_from
-from ..geometry.places import nearest_places
+from ..geometry.places import PlaceFinder
 from ..geometry.types import Floats, Progress
 from ..steps import Steps, Work
 from ..tasks import criterion_of, write_analysis
@@ -31,6 +32,10 @@ class Picker:
     field: Field
     plan: Plan
 
+    @cached_property
+    def _finder(self) -> PlaceFinder:
+        return PlaceFinder(self.field.subject.analysis.surface)
+
     @property
     def source(self) -> Object:
         """The model."""
@@ -44,7 +49,7 @@ class Picker:
         at = analyzed_points(self.field.subject, world_point[None])
 
         def run(_on_progress: Progress) -> CurvatureLines:
-            triangle, place = nearest_places(self.field.subject.analysis.surface, at)[:2]
+            triangle, place = self._finder.nearest(at)[:2]
             return trace_from(self.field.lines, triangle, place, self.plan.lines.families)
 
         return run

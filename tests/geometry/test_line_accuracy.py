@@ -42,9 +42,11 @@ SURFACES = {"ellipsoid": ellipsoid_zone(AXES), **PATCHES}
 SEEDS = 12
 
 
-def stretched(name: str) -> tuple[int, int]:
-    """Return cells four times as long in v as in u."""
-    return 2 * CELLS[name][0], CELLS[name][1] // 2
+def sampled(name: str, kind: str) -> Sample:
+    """Return a mesh whose cells are about as long as wide, or 4:1."""
+    u, v = CELLS[name]
+    cells = (2 * u, v // 2) if "4:1" in kind else (u, v)
+    return sample_patch(SURFACES[name], kind.split(maxsplit=1)[0], cells)
 
 
 def mean_edge(sample: Sample) -> float:
@@ -65,7 +67,9 @@ def trace_some(lines: LineField) -> tuple[CurvatureLines, Array]:
     """Return the lines of both families through the middles of triangles, and these points."""
     triangle = np.linspace(0, len(lines.field.mesh.triangles) - 1, SEEDS + 2)[1:-1].astype(np.int64)
     middle = np.full((SEEDS, 3), 1.0 / 3.0)
-    return trace_from(lines, triangle, middle), np.tile(lines.field.mesh.points(triangle, middle), (2, 1))
+    return trace_from(lines, triangle, middle), np.tile(
+        lines.field.mesh.points(triangle, middle), (2, 1)
+    )
 
 
 def chords(lines: CurvatureLines) -> tuple[Array, Array, NDArray[np.int64]]:
@@ -88,8 +92,7 @@ def directions(patch: Patch, points: Array, family: NDArray[np.int64]) -> tuple[
 @pytest.mark.parametrize("kind", ["regular", "irregular 4:1"])
 @pytest.mark.parametrize("name", CELLS)
 def test_lines_run_along_exact_directions(name: str, kind: str, noise: float) -> None:
-    cells = stretched(name) if "4:1" in kind else CELLS[name]
-    lines = field_on(sample_patch(SURFACES[name], kind.split()[0], cells), noise)
+    lines = field_on(sampled(name, kind), noise)
     middle, move, family = chords(trace_some(lines)[0])
     along, across = directions(SURFACES[name], middle, family)
     sine, cosine = (np.abs(np.einsum("ij,ij->i", move, each)) for each in (across, along))
@@ -132,7 +135,9 @@ CONSTANTS: dict[str, Callable[[Array, Array], Array]] = {
 def slope(patch: Patch, name: str, u: Array, v: Array, direction: Array) -> Array:
     """Return how fast the two constants change along unit tangents, (2, n) in 1/m."""
     _, by_u, by_v = patch.derivatives(u, v)[:3]
-    uu, uv, vv = (np.einsum("ij,ij->i", a, b) for a, b in ((by_u, by_u), (by_u, by_v), (by_v, by_v)))
+    uu, uv, vv = (
+        np.einsum("ij,ij->i", a, b) for a, b in ((by_u, by_u), (by_u, by_v), (by_v, by_v))
+    )
     along_u, along_v = (np.einsum("ij,ij->i", direction, a) for a in (by_u, by_v))
     du = (vv * along_u - uv * along_v) / (uu * vv - uv**2)
     dv = (uu * along_v - uv * along_u) / (uu * vv - uv**2)
@@ -145,9 +150,7 @@ def slope(patch: Patch, name: str, u: Array, v: Array, direction: Array) -> Arra
 @pytest.mark.parametrize("name", CONSTANTS)
 def test_a_line_stays_on_the_exact_one_over_its_whole_run(name: str, kind: str) -> None:
     patch = SURFACES[name]
-    sample = sample_patch(
-        patch, kind.split()[0], stretched(name) if "4:1" in kind else CELLS[name]
-    )
+    sample = sampled(name, kind)
     traced, seeds = trace_some(field_on(sample))
     assert traced.count == 2 * SEEDS
     line = traced.point_line

@@ -59,8 +59,9 @@ def test_monkey_saddle_has_one_star() -> None:
     [(1.5, UmbilicKind.MONSTAR), (1.7, UmbilicKind.MONSTAR), (3.0, UmbilicKind.LEMON)],
 )
 def test_a_cubic_form_decides_between_lemon_and_monstar(cubic: float, kind: UmbilicKind) -> None:
-    """On z = -(x² + y²) / 20 - (a x³ + 3 x y²) / 3 the second derivatives differ by what the cubic
-    form says: zxx - zyy = -2 (a - 1) x and 2 zxy = -4 y. A line leaves straight at the angle t where
+    """The surface is z = -(x² + y²) / 20 - (a x³ + 3 x y²) / 3.
+
+    There zxx - zyy = -2 (a - 1) x and 2 zxy = -4 y. A line leaves straight at the angle t where
     their quotient is tan 2t: sin t = 0, or cos² t = 1 / (3 - a), which is a share for a < 2.
     """
     roof = Patch(
@@ -143,9 +144,7 @@ def test_where_a_profile_turns_over_there_is_a_seam_and_no_umbilic(
 
 def test_a_plane_takes_in_the_ripples_beside_it() -> None:
     """A plate that is flat but for noise, next to a bend, is one area without umbilics."""
-    profile = Patch(
-        lambda u, v: (u, v, 0.0 * u), (-1.0, 1.0), (-1.0, 1.0)
-    )
+    profile = Patch(lambda u, v: (u, v, 0.0 * u), (-1.0, 1.0), (-1.0, 1.0))
     sample = sample_patch(profile, "irregular", (30, 30))
     umbilics = line_field(sample, 2e-4).umbilics
     assert umbilics.count == 0

@@ -8,14 +8,10 @@ planar panels: pieces between two neighboring lines of a family are developable 
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
 from math import pi
 
-import numpy as np
-
-from .catalogue import CONE_SLOPE, PATCHES, Patch
-from .taylor import Array, Taylor, cos, sin
+from .catalogue import PATCHES, Patch
+from .taylor import Taylor, cos, sin
 
 _TURN = (0.0, 2.0 * pi)
 

@@ -162,7 +162,9 @@ def _seams(
     length = np.linalg.norm(ends[1] - ends[0], axis=1)
     typical = sum_by_group(group[triangle], length, count) / np.maximum(number, 1)
     # Where directions are doubtful too, it may be a point whose surroundings are resolved.
-    has_doubt = sum_by_group(group[triangle], is_open[triangle, corner].astype(np.float64), count) > 0.0
+    has_doubt = (
+        sum_by_group(group[triangle], is_open[triangle, corner].astype(np.float64), count) > 0.0
+    )
     least = np.where(has_doubt, np.maximum(_SEAM * typical, _LONG * radius), _SEAM * typical)
     # A short one parts a narrow piece from one side to the other.
     is_end = (beyond < 0) | is_void[start[triangle]].any(axis=1)

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..types import Complexes, Flags, Floats, Indices
+from ..types import Flags, Floats, Indices
 from .areas import Areas
 from .field import WEAK, DirectionField
 from .filling import filled
@@ -93,9 +93,10 @@ def _pairs(field: DirectionField, index: Indices) -> tuple[Indices, Indices]:
         plus, minus = np.flatnonzero(is_left & (sign > 0)), np.flatnonzero(is_left & (sign < 0))
         if not (len(plus) and len(minus)):
             break
-        away, to_minus = cKDTree(middle[minus]).query(middle[plus])
-        to_plus = cKDTree(middle[plus]).query(middle[minus])[1]
-        mutual = to_plus[to_minus] == np.arange(len(plus))
+        near = cKDTree(middle[minus]).query(middle[plus])
+        away, to_minus = np.asarray(near[0]), np.asarray(near[1], dtype=np.int64)
+        to_plus = np.asarray(cKDTree(middle[plus]).query(middle[minus])[1], dtype=np.int64)
+        mutual: Flags = to_plus[to_minus] == np.arange(len(plus))
         mutual &= away <= np.minimum(reach[plus], reach[minus[to_minus]])
         if not mutual.any():
             break
@@ -116,9 +117,10 @@ def _around(field: DirectionField, one: Indices, other: Indices, factor: float) 
     chord = mesh.position[mesh.triangles[other]].mean(axis=1) - start
     length = np.linalg.norm(chord, axis=1)
     radius = factor * np.maximum(_AROUND * mesh.edge_length, _SHARE * length)
-    found = cKDTree(mesh.position).query_ball_point(start + 0.5 * chord, radius + 0.5 * length)
-    pair = np.repeat(np.arange(len(one)), [len(each) for each in found])
-    sector = np.concatenate([np.asarray(each, dtype=np.int64) for each in found])
+    reach = radius + 0.5 * length
+    tree, middles = cKDTree(mesh.position), cKDTree(start + 0.5 * chord)
+    found = middles.sparse_distance_matrix(tree, float(reach.max()), output_type="ndarray")
+    pair, sector = found["i"].astype(np.int64), found["j"].astype(np.int64)
     apart = mesh.position[sector] - start[pair]
     square = np.maximum(length**2, 1e-300)[pair]
     share = np.clip(np.einsum("ix,ix->i", apart, chord[pair]) / square, 0.0, 1.0)

@@ -92,11 +92,11 @@ class Surroundings:
     reach: float
 
 
-def surroundings(field: DirectionField, umbilics: Umbilics, rules: Rules) -> Surroundings:
+def surroundings(field: DirectionField, umbilics: Umbilics, spacing: float) -> Surroundings:
     """Return which umbilics lines may end at."""
     nearest = np.full(len(field.mesh.triangles), -1, dtype=np.int64)
     position = umbilics.position - field.mesh.offset
-    reach = _UMBILIC * rules.spacing
+    reach = _UMBILIC * spacing
     if umbilics.count:
         from scipy.spatial import cKDTree
 
@@ -195,9 +195,7 @@ def far_along(one: Samples, two: Samples, spacing: float) -> Flags:
     return (way > _OWN * spacing) | (apart < _BACK * way)
 
 
-def _meet_itself(
-    state: Arms, one: Samples, two: Samples, flags: Flags, rules: Rules
-) -> None:
+def _meet_itself(state: Arms, one: Samples, two: Samples, flags: Flags, rules: Rules) -> None:
     """Close lines whose arms ran past each other, end arms that came back beside their line."""
     one, two = one.chosen(flags), two.chosen(flags)
     apart = one.position - two.position
@@ -211,9 +209,7 @@ def _meet_itself(
     _cut(state, one.arm[~is_meeting], one.arc[~is_meeting], rules)
 
 
-def _meet_others(
-    state: Arms, one: Samples, two: Samples, flags: Flags, rules: Rules
-) -> None:
+def _meet_others(state: Arms, one: Samples, two: Samples, flags: Flags, rules: Rules) -> None:
     """End the less important of two arms that run beside each other, drop it if they meet."""
     one, two = one.chosen(flags), two.chosen(flags)
     is_first = one.line > two.line

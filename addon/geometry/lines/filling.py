@@ -42,11 +42,11 @@ def filled(
     even.data = -np.abs(even.data)
     even.setdiag(matrix.diagonal().real)
     given = np.where(is_open, 0.0, 1.0)
-    strength = field.strength
-    direction = field.deviator / np.maximum(strength, 1e-300)
+    strength = field.strength.astype(np.complex128)
+    direction = field.deviator / np.maximum(field.strength, 1e-300)
     deviator = field.deviator.copy()
     deviator[chosen] = _interpolated(matrix, chosen, given * direction, direction)
-    deviator[chosen] *= _interpolated(even, chosen, given * strength, strength + 0j).real
+    deviator[chosen] *= _interpolated(even, chosen, given * strength, strength).real
     return field.with_deviator(deviator)
 
 

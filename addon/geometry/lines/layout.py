@@ -21,7 +21,7 @@ import numpy as np
 from ..errors import InvalidSettingError
 from ..types import Indices, Progress
 from .assembly import assemble
-from .endings import Rules
+from .endings import Rules, Surroundings, surroundings
 from .field import PRINCIPAL, Family
 from .lines import CurvatureLines, joined_lines, no_lines
 from .samples import Samples, distances, joined
@@ -46,6 +46,7 @@ class _Layout:
 
     lines: LineField
     rules: Rules
+    around: Surroundings
     placed: CurvatureLines
     samples: Samples
     tried: Samples
@@ -57,7 +58,7 @@ class _Layout:
             return 0
         spacing = self.rules.spacing
         field = self.lines.field
-        state, samples = trace(field, self.lines.umbilics, seeds, self.samples, self.rules)
+        state, samples = trace(field, self.around, seeds, self.samples, self.rules)
         new = assemble(field, state, samples, self.rules, _SHORTEST * spacing)
         # Who gave way to a line that is placed now may still have room beside it.
         is_told = (samples.arc == 0.0) & ~state.is_removed[samples.line]
@@ -114,6 +115,7 @@ def trace_evenly(
     layout = _Layout(
         lines=lines,
         rules=Rules(spacing=spacing, nearest=_NEAREST * spacing, competes=True),
+        around=surroundings(lines.field, lines.umbilics, spacing),
         placed=no_lines(),
         samples=lines.no_samples,
         tried=lines.no_samples,
@@ -139,7 +141,7 @@ def _guides(lines: LineField, layout: _Layout, families: tuple[Family, ...]) -> 
     """Return lines across the families, of which spacings are measured off."""
     seeds = usable(lines, guide_seeds(lines, families))
     alone = Rules(layout.rules.spacing, layout.rules.nearest, competes=False)
-    state, samples = trace(lines.field, lines.umbilics, seeds, lines.no_samples, alone)
+    state, samples = trace(lines.field, layout.around, seeds, lines.no_samples, alone)
     return assemble(lines.field, state, samples, alone, layout.rules.spacing)
 
 

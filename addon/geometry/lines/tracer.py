@@ -15,7 +15,7 @@ from ..types import Flags, Floats, Indices
 from .areas import find_areas
 from .assembly import assemble
 from .calming import calmed
-from .endings import Rules
+from .endings import Rules, Surroundings, surroundings
 from .field import PRINCIPAL, DirectionField, Family, build_direction_field
 from .filling import filled
 from .lines import CurvatureLines
@@ -49,6 +49,16 @@ class LineField:
     def no_samples(self) -> Samples:
         """Samples of no line."""
         return take_samples(self.field, no_trail())
+
+    @property
+    def own_spacing(self) -> float:
+        """What stands for the spacing of lines without one, in meters."""
+        return _SPACING * self.field.mesh.edge_length
+
+    @cached_property
+    def own_surroundings(self) -> Surroundings:
+        """The umbilics for lines without a spacing: under the mouse they are traced many times."""
+        return surroundings(self.field, self.umbilics, self.own_spacing)
 
 
 def build_line_field(
@@ -107,7 +117,7 @@ def trace_from(
         Family by family, in the order of the points. Points on umbilics and in umbilic areas have
         no lines.
     """
-    spacing = _SPACING * lines.field.mesh.edge_length
+    spacing = lines.own_spacing
     rules = Rules(spacing=spacing, nearest=_NEAREST * spacing, competes=False)
     seeds = make_seeds(
         np.tile(triangle, len(families)),
@@ -115,7 +125,7 @@ def trace_from(
         np.repeat(np.array(families, dtype=np.int64), len(triangle)),
     )
     seeds = usable(lines, seeds)
-    state, samples = trace(lines.field, lines.umbilics, seeds, lines.no_samples, rules)
+    state, samples = trace(lines.field, lines.own_surroundings, seeds, lines.no_samples, rules)
     return assemble(lines.field, state, samples, rules, 0.0)
 
 

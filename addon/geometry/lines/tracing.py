@@ -15,11 +15,11 @@ from .endings import (
     STEP,
     Arms,
     Rules,
+    Surroundings,
     end_at_neighbors,
     end_at_parabolic,
     end_at_sides,
     end_at_umbilics,
-    surroundings,
 )
 from .field import DirectionField
 from .lines import LineEnd
@@ -35,15 +35,15 @@ _SLOWEST = 0.02
 
 
 def trace(
-    field: DirectionField, umbilics: Umbilics, seeds: Seeds, placed: Samples, rules: Rules
+    field: DirectionField, around: Surroundings, seeds: Seeds, placed: Samples, rules: Rules
 ) -> tuple[Arms, Samples]:
     """Trace lines from seeds.
 
     Parameters
     ----------
     field : DirectionField
-    umbilics : Umbilics
-        Of the field.
+    around : Surroundings
+        The field's umbilics.
     seeds : Seeds
     placed : Samples
         Lines that are there already.
@@ -74,8 +74,7 @@ def trace(
         is_removed=np.zeros(len(seeds), dtype=np.bool_),
         closing=np.zeros(len(seeds), dtype=np.bool_),
     )
-    around = surroundings(field, umbilics, rules)
-    parts, sparse = [first, _at_umbilics(field, umbilics, seeds, tangent)], [first]
+    parts, sparse = [first, _at_umbilics(field, around.umbilics, seeds, tangent)], [first]
     looked = np.zeros(len(arm))
     looks = max(_LOOK, int(rules.spacing / field.mesh.edge_length))
     before, is_new = arc.copy(), np.ones(len(arm), dtype=np.bool_)
