@@ -28,6 +28,10 @@ _UMBILIC = 0.25
 _PARABOLIC = 0.05
 #: Most neighbors that are looked at; more than a line has samples of its own within its reach.
 _PARTNERS = 10
+#: The same of lines placed before, of which few are in reach.
+_PLACED = 3
+#: Cosine between the courses of two lines of a family up to which one lies across the other.
+_ACROSS = 0.3
 
 
 @dataclass(frozen=True)
@@ -173,16 +177,23 @@ def end_at_neighbors(
     recent: Samples, seen: Samples, placed: Samples, state: Arms, rules: Rules
 ) -> None:
     """End arms that came too close to lines placed before, to others traced now, or to itself."""
-    sample, _ = close_pairs(recent, placed, rules.spacing, rules.nearest, 1)
+    sample, other = close_pairs(recent, placed, rules.spacing, rules.nearest, _PLACED)
+    sample = sample[_side_by_side(recent.chosen(sample), placed.chosen(other))]
     _cut(state, recent.arm[sample], recent.arc[sample], rules)
     sample, other = close_pairs(recent, seen, rules.spacing, rules.nearest, _PARTNERS)
     one, two = recent.chosen(sample), seen.chosen(other)
     is_kept = (two.arc <= state.cut[two.arm]) & (one.arc <= state.cut[one.arm])
+    is_kept &= _side_by_side(one, two)
     is_own = one.line == two.line
     is_apart = far_along(one, two, rules.spacing)
     _meet_itself(state, one, two, is_kept & is_own & is_apart, rules)
     if rules.competes:
         _meet_others(state, one, two, is_kept & ~is_own, rules)
+
+
+def _side_by_side(one: Samples, two: Samples) -> Flags:
+    """Return pairs that are neighbors, (n,) bool: beyond a seam the family lies across."""
+    return np.abs(np.einsum("nx,nx->n", one.heading, two.heading)) > _ACROSS
 
 
 def far_along(one: Samples, two: Samples, spacing: float) -> Flags:

@@ -21,10 +21,11 @@ import numpy as np
 from ..errors import InvalidSettingError
 from ..types import Indices, Progress
 from .assembly import assemble
+from .continuing import continuing_seeds
 from .endings import Rules, Surroundings, surroundings
 from .field import PRINCIPAL, Family
 from .lines import CurvatureLines, joined_lines, no_lines
-from .samples import Samples, distances, joined
+from .samples import Samples, distances, joined, seed_samples
 from .seeding import gap_seeds, guide_seeds, hole_seeds, measured_seeds, ray_seeds, samples_along
 from .seeds import Seeds
 from .tracer import LineField, usable
@@ -34,15 +35,19 @@ from .tracing import trace
 _NEAREST = 0.5
 #: Seeds closer than this share of the spacing to a line are none.
 _FREE = 0.85
+#: Those that go on from a line are none where another one is this close.
+_BESIDE = 0.2
 #: Shorter lines than this many spacings are left out; a tenth of it from rim to rim.
 _SHORTEST = 1.0
+#: Most seams that lines go on beyond one after the other.
+_SEAMS = 20
 #: Most rounds of filling; gaps are gone much earlier.
 _ROUNDS = 60
 
 
 @dataclass
 class _Layout:
-    """Lines placed so far, their samples, and the seeds that gave none."""
+    """Lines placed so far, their samples, seeds that gave none, and how many went on at seams."""
 
     lines: LineField
     rules: Rules
@@ -50,6 +55,7 @@ class _Layout:
     placed: CurvatureLines
     samples: Samples
     tried: Samples
+    gone_on: int = 0
 
     def add(self, seeds: Seeds) -> int:
         """Trace seeds against what is placed; return the number of new lines."""
@@ -73,10 +79,20 @@ class _Layout:
             self.placed = joined_lines(self.placed, new)
         return new.count
 
-    def fresh(self, seeds: Seeds, found: Samples) -> Seeds:
-        """Return the seeds that are far from lines and from seeds tried before."""
+    def go_on(self, families: tuple[Family, ...]) -> None:
+        """Go on beyond seams from the lines that were not there the last time."""
+        for _ in range(_SEAMS):
+            new = self.placed.chosen(np.arange(self.gone_on, self.placed.count))
+            self.gone_on = self.placed.count
+            seeds = continuing_seeds(self.lines, new, families)
+            if not self.add(self.fresh(seeds, _BESIDE)):
+                break
+
+    def fresh(self, seeds: Seeds, share: float = _FREE) -> Seeds:
+        """Return the seeds that are a share of the spacing from lines, and were not tried before."""
+        found = seed_samples(self.lines.field, seeds)
         spacing = self.rules.spacing
-        is_free = distances(found, self.samples, spacing, _FREE * spacing) == np.inf
+        is_free = distances(found, self.samples, spacing, share * spacing) == np.inf
         is_new = distances(found, self.tried, spacing, 0.3 * spacing) == np.inf
         return seeds.chosen(is_free & is_new)
 
@@ -121,26 +137,33 @@ def trace_evenly(
         tried=lines.no_samples,
     )
     layout.add(ray_seeds(lines, families, spacing))
-    guides = _guides(lines, layout, families)
-    layout.add(measured_seeds(lines, guides, families, spacing))
+    seeds = guide_seeds(lines, families)
+    # The largest part first: lines go on from it into others.
+    is_first = seeds.triangle == seeds.triangle[:1]
+    for part in (is_first, ~is_first):
+        guides = _guides(layout, seeds.chosen(part))
+        layout.add(layout.fresh(measured_seeds(lines, guides, families, spacing)))
+        layout.go_on(families)
     for turn in range(_ROUNDS):
         if on_progress:
             on_progress(1.0 - 0.8 ** (turn + 1))
-        seeds, found = gap_seeds(lines, layout.placed, layout.samples, spacing)
-        added = layout.add(layout.fresh(seeds, found))
+        seeds = gap_seeds(lines, layout.placed, layout.samples, spacing)
+        added = layout.add(layout.fresh(seeds))
+        layout.go_on(families)
         if not added:
-            seeds, found = hole_seeds(lines, layout.samples, families, spacing)
-            seeds = layout.fresh(seeds, found)
+            seeds = hole_seeds(lines, layout.samples, families, spacing)
+            seeds = layout.fresh(seeds)
             if not len(seeds):
                 break
             layout.add(seeds)
     return _sorted(layout.placed)
 
 
-def _guides(lines: LineField, layout: _Layout, families: tuple[Family, ...]) -> CurvatureLines:
+def _guides(layout: _Layout, seeds: Seeds) -> CurvatureLines:
     """Return lines across the families, of which spacings are measured off."""
-    seeds = usable(lines, guide_seeds(lines, families))
+    lines = layout.lines
     alone = Rules(layout.rules.spacing, layout.rules.nearest, competes=False)
+    seeds = usable(lines, seeds)
     state, samples = trace(lines.field, layout.around, seeds, lines.no_samples, alone)
     return assemble(lines.field, state, samples, alone, layout.rules.spacing)
 

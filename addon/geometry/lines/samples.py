@@ -11,6 +11,7 @@ import numpy as np
 
 from ..types import Flags, Floats, Indices
 from .field import DirectionField
+from .seeds import Seeds
 from .vectors import unit
 
 Kind = TypeVar("Kind", bound="Trail")
@@ -94,6 +95,22 @@ def take_samples(field: DirectionField, trail: Trail) -> Samples:
         *(getattr(trail, each.name) for each in fields(Trail)),
         position=np.einsum("nc,ncx->nx", weight, field.mesh.position[corner]),
         normal=np.einsum("nc,ncx->nx", weight, field.normal[corner]),
+    )
+
+
+def seed_samples(field: DirectionField, seeds: Seeds) -> Samples:
+    """Return where lines start, each on a line of its own."""
+    count = len(seeds)
+    return take_samples(
+        field,
+        Trail(
+            2 * np.arange(count),
+            np.zeros(count),
+            seeds.triangle,
+            seeds.barycentric,
+            seeds.heading,
+            seeds.family,
+        ),
     )
 
 

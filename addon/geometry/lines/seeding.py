@@ -33,6 +33,19 @@ _GUESS = 0.6
 _STRONG = 0.5
 
 
+def course(lines: CurvatureLines) -> tuple[Floats, Floats]:
+    """Return the way from the first point of its line, and the direction, of every point."""
+    line = lines.point_line
+    move = np.diff(lines.points, axis=0, prepend=lines.points[:1])
+    move[lines.start[:-1][np.diff(lines.start) > 0]] = 0.0
+    total = np.cumsum(np.linalg.norm(move, axis=1))
+    arc = total - total[lines.start[:-1]][line]
+    ahead = np.roll(move, -1, axis=0)
+    last = lines.start[1:] - 1
+    ahead[last] = move[last]
+    return arc, unit(ahead)
+
+
 def samples_along(
     field: DirectionField, lines: CurvatureLines, step: float, first_line: int
 ) -> Samples:
@@ -52,7 +65,7 @@ def samples_along(
     Samples
     """
     line = lines.point_line
-    arc, ahead = _course(lines)
+    arc, ahead = course(lines)
     number = np.floor(arc / step)
     is_new = (np.diff(number, prepend=-1.0) != 0.0) | (np.diff(line, prepend=-1) != 0)
     is_new[lines.start[1:] - 1] = True
@@ -146,7 +159,7 @@ def measured_seeds(
     wanted = np.isin(guides.family, [int(_ACROSS[family]) for family in families])
     chosen = guides.chosen(np.flatnonzero(wanted))
     line = chosen.point_line
-    arc, _ = _course(chosen)
+    arc, _ = course(chosen)
     length = chosen.length
     number = np.maximum(1, np.round(length / spacing))
     # On a guide from rim to rim the outer lines keep half a spacing to the rims.
@@ -163,9 +176,7 @@ def measured_seeds(
     )
 
 
-def gap_seeds(
-    lines: LineField, placed: CurvatureLines, samples: Samples, spacing: float
-) -> tuple[Seeds, Samples]:
+def gap_seeds(lines: LineField, placed: CurvatureLines, samples: Samples, spacing: float) -> Seeds:
     """Return seeds beside lines, where the next line is missing.
 
     One for every run of points along a side of a line that have no neighbor: the middle of the
@@ -199,12 +210,12 @@ def gap_seeds(
     del names
     middle = middle[_apart(found.chosen(middle), spacing)]
     chosen = found.chosen(middle)
-    return make_seeds(chosen.triangle, chosen.barycentric, chosen.family), chosen
+    return make_seeds(chosen.triangle, chosen.barycentric, chosen.family)
 
 
 def hole_seeds(
     lines: LineField, samples: Samples, families: tuple[Family, ...], spacing: float
-) -> tuple[Seeds, Samples]:
+) -> Seeds:
     """Return seeds in the middle of triangles that are farther than a spacing from any line."""
     field = lines.field
     mesh = field.mesh
@@ -227,20 +238,7 @@ def hole_seeds(
     far = far[np.argsort(-np.minimum(distance[far], 1e30), kind="stable")]
     far = far[_apart(all_of_them.chosen(far), spacing)]
     chosen = all_of_them.chosen(far)
-    return make_seeds(chosen.triangle, chosen.barycentric, chosen.family), chosen
-
-
-def _course(lines: CurvatureLines) -> tuple[Floats, Floats]:
-    """Return the way from the first point of its line, and the direction, of every point."""
-    line = lines.point_line
-    move = np.diff(lines.points, axis=0, prepend=lines.points[:1])
-    move[lines.start[:-1][np.diff(lines.start) > 0]] = 0.0
-    total = np.cumsum(np.linalg.norm(move, axis=1))
-    arc = total - total[lines.start[:-1]][line]
-    ahead = np.roll(move, -1, axis=0)
-    last = lines.start[1:] - 1
-    ahead[last] = move[last]
-    return arc, unit(ahead)
+    return make_seeds(chosen.triangle, chosen.barycentric, chosen.family)
 
 
 def _moved(
