@@ -5,20 +5,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import pi
 
 import numpy as np
 import pytest
-from architectural_curvature.addon.geometry.curvature import estimate_curvature
 from architectural_curvature.addon.geometry.lines.field import Family
 from architectural_curvature.addon.geometry.lines.lines import CurvatureLines
 from architectural_curvature.addon.geometry.lines.tracer import (
     LineField,
-    build_line_field,
     trace_from,
 )
 from architectural_curvature.addon.geometry.mesh import mesh_from_polygons
-from architectural_curvature.addon.geometry.surface import build_surface
+from line_fields import field_of, field_on, mean_edge
 from numpy.typing import NDArray
 from surfaces.catalogue import PATCHES, Patch
 from surfaces.inversion import nearest_parameters
@@ -47,20 +44,6 @@ def sampled(name: str, kind: str) -> Sample:
     u, v = CELLS[name]
     cells = (2 * u, v // 2) if "4:1" in kind else (u, v)
     return sample_patch(SURFACES[name], kind.split(maxsplit=1)[0], cells)
-
-
-def mean_edge(sample: Sample) -> float:
-    """Return the mean length of the sides of a sample's polygons."""
-    corner = sample.shape.position[sample.polygons]
-    return float(np.linalg.norm(corner - np.roll(corner, -1, axis=1), axis=2).mean())
-
-
-def field_on(sample: Sample, noise: float = 0.0) -> LineField:
-    """Return the field of a sample, moved along normals by a share of the mean edge."""
-    moves = np.random.default_rng(1).normal(0.0, noise, (len(sample.shape.position), 1))
-    position = sample.shape.position + moves * mean_edge(sample) * sample.shape.normal
-    surface = build_surface(mesh_from_polygons(position, sample.polygons), crease_angle=pi)
-    return build_line_field(surface, estimate_curvature(surface))
 
 
 def trace_some(lines: LineField) -> tuple[CurvatureLines, Array]:
@@ -174,8 +157,8 @@ def test_lines_run_along_the_edges_of_principal_quads(name: str, kind: str) -> N
     """Measured against the edges on both sides of a quad, in proportion to the distance."""
     patch, cells = PRINCIPAL[name], np.array([28, 20])
     sample = sample_patch(patch, kind, (28, 20))
-    surface = build_surface(mesh_from_polygons(sample.shape.position, sample.polygons))
-    middle, move, _ = chords(trace_some(build_line_field(surface, estimate_curvature(surface)))[0])
+    lines = field_of(mesh_from_polygons(sample.shape.position, sample.polygons))
+    middle, move, _ = chords(trace_some(lines)[0])
     place = np.stack(nearest_parameters(patch, middle), axis=1)
     start, end = np.array([patch.u, patch.v]).T
     place = (place - start) / (end - start) * cells

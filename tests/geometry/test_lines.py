@@ -6,38 +6,23 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from architectural_curvature.addon.geometry.curvature import estimate_curvature
-from architectural_curvature.addon.geometry.errors import InvalidSettingError
 from architectural_curvature.addon.geometry.lines.field import ASYMPTOTIC, PRINCIPAL, Family
 from architectural_curvature.addon.geometry.lines.layout import trace_evenly
 from architectural_curvature.addon.geometry.lines.lines import CurvatureLines, LineEnd
 from architectural_curvature.addon.geometry.lines.simplification import simplified
 from architectural_curvature.addon.geometry.lines.tracer import (
     LineField,
-    build_line_field,
     trace_from,
 )
-from architectural_curvature.addon.geometry.mesh import PolygonMesh, mesh_from_polygons
-from architectural_curvature.addon.geometry.surface import build_surface
+from architectural_curvature.addon.geometry.mesh import mesh_from_polygons
+from line_fields import field_of, field_on
 from scipy.spatial import cKDTree
-from surfaces.catalogue import PATCHES, TORUS_RING, TORUS_TUBE, Patch
-from surfaces.sampling import Sample, sample_patch
+from surfaces.catalogue import PATCHES, TORUS_RING, TORUS_TUBE
+from surfaces.sampling import sample_patch
 from surfaces.spheres import ellipsoid_shape, sample_ellipsoid
-from surfaces.taylor import cos, sin
 
 AXES = (1.5, 1.2, 1.0)
 CLOSED, RIM = LineEnd.CLOSED, LineEnd.RIM
-
-
-def field_of(mesh: PolygonMesh) -> LineField:
-    surface = build_surface(mesh)
-    return build_line_field(surface, estimate_curvature(surface))
-
-
-def field_on(sample: Sample, noise: float = 0.0) -> LineField:
-    moves = np.random.default_rng(1).normal(0.0, noise, (len(sample.shape.position), 1))
-    position = sample.shape.position + moves * sample.longest_edge * sample.shape.normal
-    return field_of(mesh_from_polygons(position, sample.polygons))
 
 
 def trace_some(
@@ -123,27 +108,6 @@ def test_lines_of_a_catenoid_end_at_the_rim_or_close() -> None:
     assert np.abs(ends[..., 2]) == pytest.approx(1.0, abs=1e-9)
 
 
-@pytest.mark.parametrize("name", ["torus", "elliptic paraboloid", "hyperbolic paraboloid"])
-def test_lines_are_evenly_spaced_without_holes(name: str) -> None:
-    spacing = 0.15
-    lines = field_on(sample_patch(PATCHES[name], "irregular", (70, 50)))
-    traced = trace_evenly(lines, spacing)
-    middle = lines.field.mesh.points(
-        np.arange(len(lines.field.mesh.triangles)),
-        np.full((len(lines.field.mesh.triangles), 3), 1.0 / 3.0),
-    )
-    for family in PRINCIPAL:
-        chosen = traced.chosen(np.flatnonzero(traced.family == family))
-        hole = cKDTree(chosen.points).query(middle)[0]
-        assert 2.0 * hole.max() < 2.5 * spacing
-        found = cKDTree(chosen.points).query(chosen.points, k=80)
-        distance, other = np.asarray(found[0]), np.asarray(found[1])
-        line = chosen.point_line
-        distance[line[other] == line[:, None]] = np.inf
-        nearest = distance.min(axis=1)
-        assert ((nearest > 0.5 * spacing) & (nearest < 2.0 * spacing)).mean() >= 0.9
-
-
 def test_families_cross_at_right_angles() -> None:
     lines = field_on(sample_patch(PATCHES["waves"], "irregular", (50, 50)))
     traced = trace_evenly(lines, 0.2)
@@ -152,18 +116,6 @@ def test_families_cross_at_right_angles() -> None:
     first = lines.field.evaluate(*place, int(Family.FIRST) * ones)[0]
     second = lines.field.evaluate(*place, int(Family.SECOND) * ones)[0]
     assert np.abs(np.einsum("ij,ij->i", first, second)).max() < 1e-9
-
-
-def test_lines_run_along_the_edges_of_a_principal_quad_mesh() -> None:
-    sample = sample_patch(PATCHES["barrel vault"], "quads", (24, 20))
-    traced = trace_some(field_of(mesh_from_polygons(sample.shape.position, sample.polygons)))
-    move = np.diff(traced.points, axis=0)[np.diff(traced.point_line) == 0]
-    move = move[np.linalg.norm(move, axis=1) > 1e-6]
-    along = np.abs(move[:, 0]) / np.linalg.norm(move, axis=1)
-    assert np.degrees(np.arccos(np.minimum(np.maximum(along, 1e-12), 1.0))).size
-    off = np.minimum(np.arccos(np.minimum(along, 1.0)), np.arcsin(np.minimum(along, 1.0)))
-    assert np.degrees(np.median(off)) < 3.0
-    assert (traced.ends == RIM).all()
 
 
 def test_no_line_crosses_a_crease() -> None:
@@ -243,69 +195,6 @@ def test_lines_do_not_depend_on_where_the_model_lies() -> None:
     a, b = trace_some(one, 6), trace_some(other, 6)
     assert (a.ends == b.ends).all()
     assert a.length == pytest.approx(b.length, rel=1e-3)
-
-
-def test_same_input_gives_the_same_lines() -> None:
-    lines = field_on(sample_patch(PATCHES["waves"], "irregular", (30, 30)))
-    a, b = trace_evenly(lines, 0.3), trace_evenly(lines, 0.3)
-    assert (a.points == b.points).all()
-    assert (a.ends == b.ends).all()
-
-
-def test_whoever_hears_of_the_progress_can_stop_the_work() -> None:
-    class StopError(Exception):
-        pass
-
-    heard: list[float] = []
-
-    def stop(share: float) -> None:
-        heard.append(share)
-        if len(heard) == 3:
-            raise StopError
-
-    lines = field_on(sample_patch(PATCHES["waves"], "irregular", (30, 30)))
-    with pytest.raises(StopError):
-        trace_evenly(lines, 0.1, on_progress=stop)
-    assert len(heard) == 3
-    assert heard == sorted(set(heard))
-
-
-@pytest.mark.parametrize("around", [0.7, 1.2, 1.7, 2.6])
-def test_rings_of_a_thin_pipe_go_around_once(around: float) -> None:
-    """A slightly conical pipe, whose girth is a share of the spacing or a few of them."""
-    radius = around / (2.0 * np.pi)
-    pipe = Patch(
-        lambda u, v: (
-            radius * (1.0 + 0.02 * v) * cos(u), radius * (1.0 + 0.02 * v) * sin(u), v
-        ),
-        (0.0, 2.0 * np.pi),
-        (0.0, 6.0),
-        (True, False),
-    )  # fmt: skip
-    traced = trace_evenly(field_on(sample_patch(pipe, "regular", (24, 60))), 1.0)
-    rings = traced.chosen(np.flatnonzero(traced.is_closed))
-    longest = around * 1.12
-    assert (rings.length <= longest).all()
-    assert (rings.length > 0.95 * around).all()
-    first = traced.family == Family.FIRST
-    # What does not close ends half a spacing before it meets itself.
-    assert (traced.length[first] <= longest + 0.5).all()
-
-
-def test_lines_across_a_narrow_strip_are_kept() -> None:
-    """A fascia of a third of the spacing needs its lines across as much as any other part."""
-    fascia = Patch(lambda u, v: (sin(u), v, -1.0 * cos(u)), (-1.2, 1.2), (0.0, 0.1))
-    traced = trace_evenly(field_on(sample_patch(fascia, "regular", (60, 3))), 0.3)
-    across = traced.length < 0.2
-    assert across.sum() >= 2.4 / 0.3 - 1.0
-    assert (traced.ends == RIM).all()
-
-
-@pytest.mark.parametrize("spacing", [0.0, -1.0, np.nan, np.inf])
-def test_spacing_must_be_a_length(spacing: float) -> None:
-    lines = field_on(sample_patch(PATCHES["waves"], "regular", (8, 8)))
-    with pytest.raises(InvalidSettingError, match="spacing must be greater than zero"):
-        trace_evenly(lines, spacing)
 
 
 def test_a_single_triangle_and_a_plane_have_no_lines() -> None:

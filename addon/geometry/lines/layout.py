@@ -89,7 +89,7 @@ class _Layout:
                 break
 
     def fresh(self, seeds: Seeds, share: float = _FREE) -> Seeds:
-        """Return the seeds that are a share of the spacing from lines, and were not tried before."""
+        """Return the seeds that are a share of the spacing from lines, and not tried before."""
         found = seed_samples(self.lines.field, seeds)
         spacing = self.rules.spacing
         is_free = distances(found, self.samples, spacing, share * spacing) == np.inf

@@ -1,0 +1,119 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lines cover a surface evenly, narrow parts too, and go on beyond seams."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from architectural_curvature.addon.geometry.errors import InvalidSettingError
+from architectural_curvature.addon.geometry.lines.field import PRINCIPAL, Family
+from architectural_curvature.addon.geometry.lines.layout import trace_evenly
+from architectural_curvature.addon.geometry.lines.lines import LineEnd
+from line_fields import field_on
+from scipy.spatial import cKDTree
+from surfaces.catalogue import PATCHES, Patch
+from surfaces.sampling import sample_patch
+from surfaces.taylor import cos, sin
+
+RIM = LineEnd.RIM
+
+
+@pytest.mark.parametrize("name", ["torus", "elliptic paraboloid", "hyperbolic paraboloid"])
+def test_lines_are_evenly_spaced_without_holes(name: str) -> None:
+    spacing = 0.15
+    lines = field_on(sample_patch(PATCHES[name], "irregular", (70, 50)))
+    traced = trace_evenly(lines, spacing)
+    middle = lines.field.mesh.points(
+        np.arange(len(lines.field.mesh.triangles)),
+        np.full((len(lines.field.mesh.triangles), 3), 1.0 / 3.0),
+    )
+    for family in PRINCIPAL:
+        chosen = traced.chosen(np.flatnonzero(traced.family == family))
+        hole = cKDTree(chosen.points).query(middle)[0]
+        assert 2.0 * hole.max() < 2.5 * spacing
+        found = cKDTree(chosen.points).query(chosen.points, k=80)
+        distance, other = np.asarray(found[0]), np.asarray(found[1])
+        line = chosen.point_line
+        distance[line[other] == line[:, None]] = np.inf
+        nearest = distance.min(axis=1)
+        assert ((nearest > 0.5 * spacing) & (nearest < 2.0 * spacing)).mean() >= 0.9
+
+
+def test_lines_across_a_narrow_strip_are_kept() -> None:
+    """A fascia of a third of the spacing needs its lines across as much as any other part."""
+    fascia = Patch(lambda u, v: (sin(u), v, -1.0 * cos(u)), (-1.2, 1.2), (0.0, 0.1))
+    traced = trace_evenly(field_on(sample_patch(fascia, "regular", (60, 3))), 0.3)
+    across = traced.length < 0.2
+    assert across.sum() >= 2.4 / 0.3 - 1.0
+    assert (traced.ends == RIM).all()
+
+
+@pytest.mark.parametrize("around", [0.7, 1.2, 1.7, 2.6])
+def test_rings_of_a_thin_pipe_go_around_once(around: float) -> None:
+    """A slightly conical pipe, whose girth is a share of the spacing or a few of them."""
+    radius = around / (2.0 * np.pi)
+    pipe = Patch(
+        lambda u, v: (
+            radius * (1.0 + 0.02 * v) * cos(u), radius * (1.0 + 0.02 * v) * sin(u), v
+        ),
+        (0.0, 2.0 * np.pi),
+        (0.0, 6.0),
+        (True, False),
+    )  # fmt: skip
+    traced = trace_evenly(field_on(sample_patch(pipe, "regular", (24, 60))), 1.0)
+    rings = traced.chosen(np.flatnonzero(traced.is_closed))
+    longest = around * 1.12
+    assert (rings.length <= longest).all()
+    assert (rings.length > 0.95 * around).all()
+    first = traced.family == Family.FIRST
+    # What does not close ends half a spacing before it meets itself.
+    assert (traced.length[first] <= longest + 0.5).all()
+
+
+def test_lines_go_on_beyond_seams() -> None:
+    """On z = sin(2x) / 3 lines across the waves change their family where these turn over."""
+    waves = Patch(lambda u, v: (u, v, sin(2.0 * u) / 3.0), (-2.2, 2.2), (-1.0, 1.0))
+    traced = trace_evenly(field_on(sample_patch(waves, "regular", (60, 24))), 0.25)
+    ends = traced.points[np.stack([traced.start[:-1], traced.start[1:] - 1], axis=1)]
+    at_seam = traced.ends == LineEnd.AREA
+    place, family = ends[at_seam], np.repeat(traced.family[:, None], 2, axis=1)[at_seam]
+    # As many lines as fit side by side, at each side of three seams.
+    assert len(place) == 2 * 3 * round(2.0 / 0.25)
+    for number in range(len(place)):
+        beyond = place[family != family[number]] - place[number]
+        nearest = np.argmin(np.linalg.norm(beyond, axis=1))
+        assert abs(beyond[nearest, 0]) < 0.25
+        assert abs(beyond[nearest, 1]) < 1e-3
+
+
+def test_whoever_hears_of_the_progress_can_stop_the_work() -> None:
+    class StopError(Exception):
+        pass
+
+    heard: list[float] = []
+
+    def stop(share: float) -> None:
+        heard.append(share)
+        if len(heard) == 3:
+            raise StopError
+
+    lines = field_on(sample_patch(PATCHES["waves"], "irregular", (30, 30)))
+    with pytest.raises(StopError):
+        trace_evenly(lines, 0.1, on_progress=stop)
+    assert len(heard) == 3
+    assert heard == sorted(set(heard))
+
+
+def test_same_input_gives_the_same_lines() -> None:
+    lines = field_on(sample_patch(PATCHES["waves"], "irregular", (30, 30)))
+    a, b = trace_evenly(lines, 0.3), trace_evenly(lines, 0.3)
+    assert (a.points == b.points).all()
+    assert (a.ends == b.ends).all()
+
+
+@pytest.mark.parametrize("spacing", [0.0, -1.0, np.nan, np.inf])
+def test_spacing_must_be_a_length(spacing: float) -> None:
+    lines = field_on(sample_patch(PATCHES["waves"], "regular", (8, 8)))
+    with pytest.raises(InvalidSettingError, match="spacing must be greater than zero"):
+        trace_evenly(lines, spacing)
