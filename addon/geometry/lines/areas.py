@@ -99,8 +99,9 @@ def _point_radius(field: DirectionField, is_doubtful: Flags) -> float:
 
 def _sector_groups(mesh: Triangulation, flags: Flags) -> Indices:
     """Return the connected group of every flagged sector; all others are alone, (s,) int64."""
-    inside = mesh.edges[flags[mesh.edges].all(axis=1)]
-    return connected_groups(inside, mesh.sector_count)
+    start, end = mesh.triangles, np.roll(mesh.triangles, -1, axis=1)
+    inside = flags[start] & flags[end]
+    return connected_groups(np.stack([start[inside], end[inside]], axis=1), mesh.sector_count)
 
 
 def _is_large(field: DirectionField, group: Indices, radius: float) -> Flags:
@@ -111,8 +112,8 @@ def _is_large(field: DirectionField, group: Indices, radius: float) -> Flags:
     extent = _extent(group, mesh.position, count)
     # Nothing around it says what the directions were: a whole plane between creases.
     is_alone = np.ones(count, dtype=np.bool_)
-    apart = group[mesh.edges]
-    is_alone[apart[apart[:, 0] != apart[:, 1]]] = False
+    at_corner = group[mesh.triangles]
+    is_alone[at_corner[(at_corner != at_corner[:, :1]).any(axis=1)]] = False
     return (area > np.pi * radius**2) | (extent > _LONG * radius) | is_alone
 
 

@@ -30,10 +30,16 @@ _KINK = np.pi / 2.0
 _ROUNDS = 4
 
 
-def half_indices(field: DirectionField, transport: Transport) -> Floats:
-    """Return the index of the field in every triangle, (t,) float64, in halves."""
-    total = transport.turn(field.deviator).sum(axis=1) + 2.0 * transport.excess()
-    return total / (2.0 * np.pi)
+def half_indices(transport: Transport, turn: Floats) -> Floats:
+    """Return the index of a field in every triangle, (t,) float64, in halves.
+
+    Parameters
+    ----------
+    transport : Transport
+    turn : (t, 3) float64
+        Of the field's deviator along the sides.
+    """
+    return (turn.sum(axis=1) + 2.0 * transport.excess) / (2.0 * np.pi)
 
 
 def calmed(field: DirectionField, transport: Transport, areas: Areas) -> DirectionField:
@@ -50,26 +56,27 @@ def calmed(field: DirectionField, transport: Transport, areas: Areas) -> Directi
     -------
     DirectionField
     """
-    for turn in range(_ROUNDS):
-        index = np.rint(half_indices(field, transport)).astype(np.int64)
+    for attempt in range(_ROUNDS):
+        turn = transport.turn(field.deviator)
+        index = np.rint(half_indices(transport, turn)).astype(np.int64)
         index[areas.triangle_area >= 0] = 0
         one, other = _pairs(field, index)
-        is_open = _kinks(field, transport, index, areas)
+        is_open = _kinks(field, turn, index, areas)
         if len(one):
-            is_open |= _around(field, one, other, 1.0 + 0.5 * turn)
+            is_open |= _around(field, one, other, 1.0 + 0.5 * attempt)
         if not is_open.any():
             break
         field = filled(field, transport, is_open, areas)
     return field
 
 
-def _kinks(field: DirectionField, transport: Transport, index: Indices, areas: Areas) -> Flags:
+def _kinks(field: DirectionField, turn: Floats, index: Indices, areas: Areas) -> Flags:
     """Return the sectors at sides along which directions turn too much to follow, (s,) bool.
 
     Umbilics stay where they are: around them directions turn rightly.
     """
     start = field.mesh.triangles
-    is_kink = np.abs(transport.turn(field.deviator)) > _KINK
+    is_kink = np.abs(turn) > _KINK
     is_kink &= (areas.triangle_area < 0)[:, None]
     is_open = np.zeros(field.mesh.sector_count, dtype=np.bool_)
     is_open[start[is_kink]] = is_open[np.roll(start, -1, axis=1)[is_kink]] = True

@@ -37,22 +37,22 @@ def filled(
     chosen = np.flatnonzero(is_open & ~areas.is_void)
     if not len(chosen):
         return field
-    matrix = transport.laplacian(areas.triangle_area < 0)
-    even = matrix.copy()
-    even.data = -np.abs(even.data)
-    even.setdiag(matrix.diagonal().real)
+    corner = field.mesh.triangles
+    beside = is_open[corner].any(axis=1) & (areas.triangle_area < 0)
+    rows = transport.laplacian(np.flatnonzero(beside))[chosen]
+    even = rows.tocoo()
+    even.data = np.where(chosen[even.row] == even.col, even.data, -np.abs(even.data))
     given = np.where(is_open, 0.0, 1.0)
     strength = field.strength.astype(np.complex128)
     direction = field.deviator / np.maximum(field.strength, 1e-300)
     deviator = field.deviator.copy()
-    deviator[chosen] = _interpolated(matrix, chosen, given * direction, direction)
-    deviator[chosen] *= _interpolated(even, chosen, given * strength, strength).real
+    deviator[chosen] = _interpolated(rows, chosen, given * direction, direction)
+    deviator[chosen] *= _interpolated(even.tocsr(), chosen, given * strength, strength).real
     return field.with_deviator(deviator)
 
 
-def _interpolated(matrix: Graph, chosen: Indices, given: Complexes, guess: Complexes) -> Complexes:
+def _interpolated(rows: Graph, chosen: Indices, given: Complexes, guess: Complexes) -> Complexes:
     """Return values at chosen sectors that are the mean of those around, given the others."""
-    rows = matrix[chosen]
     # A trace of the old values decides where nothing around does.
     weight = np.full(len(chosen), 1e-6)
     return solve(rows[:, chosen], weight, weight * guess[chosen] - rows @ given, guess[chosen])

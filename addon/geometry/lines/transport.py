@@ -10,12 +10,13 @@ surface these add up to 2 pi times the Euler characteristic, exactly.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from ..engine.normals import tangent_frame
 from ..groups import sum_by_group
-from ..types import Complexes, Flags, Floats, Graph
+from ..types import Complexes, Flags, Floats, Graph, Indices
 from .triangulation import Triangulation
 
 #: Least and largest cotangent weight of a side: slivers must not tear or dominate the smoothing.
@@ -39,15 +40,16 @@ class Transport:
     next_angle: Floats
     previous_angle: Floats
 
+    @cached_property
     def excess(self) -> Floats:
-        """Return the sum of each triangle's angles less pi, (t,) float64 in radians.
+        """(t,) sum of each triangle's angles less pi, in radians.
 
         Around every sector that has no rim or crease the angles add up to 2 pi, whatever the
         normals are.
         """
         mesh = self.mesh
         angle = self.previous_angle - self.next_angle
-        flat = _corner_angles(mesh)
+        flat = _corner_angles(mesh, mesh.triangles)
         total = sum_by_group(mesh.triangles.ravel(), flat.ravel(), mesh.sector_count)
         scaled = flat * (2.0 * np.pi / np.maximum(total, 1e-9))[mesh.triangles]
         is_inner = ~self._on_outline()
@@ -66,36 +68,34 @@ class Transport:
         Entry c belongs to the side from corner c to the next. The two triangles of a side see
         opposite turns.
         """
-        start = self.mesh.triangles
-        end = np.roll(start, -1, axis=1)
-        at_start = deviator[start] * np.exp(-2j * self.next_angle)
-        at_end = deviator[end] * np.exp(-2j * np.roll(self.previous_angle, -1, axis=1))
-        is_forward = start < end
-        quotient = at_end * at_start.conj()
-        # Equal and opposite for both triangles even where the turn is half a circle.
-        quotient[~is_forward] = quotient[~is_forward].conj()
-        angle = np.arctan2(quotient.imag, quotient.real)
-        return np.where(is_forward, angle, -angle)
+        angle = np.angle(deviator)[self.mesh.triangles]
+        at_start = angle - 2.0 * self.next_angle
+        at_end = np.roll(angle - 2.0 * self.previous_angle, -1, axis=1)
+        # Rounding is symmetric: the two triangles agree even where the turn is half a circle.
+        turn = at_end - at_start
+        turn -= 2.0 * np.pi * np.round(turn / (2.0 * np.pi))
+        return turn
 
-    def laplacian(self, is_linked: Flags | None = None) -> Graph:
+    def laplacian(self, triangle: Indices | None = None) -> Graph:
         """Return the matrix of the squared difference of neighbors' deviators, (s, s) complex.
 
         Hermitian and positive; weighted by cotangents, so that it has no unit.
 
         Parameters
         ----------
-        is_linked : (t,) bool, optional
+        triangle : (n,) int64, optional
             Triangles whose corners have anything to do with each other; by default all.
         """
         from scipy.sparse import csr_matrix
 
         mesh = self.mesh
-        start, end = mesh.triangles, np.roll(mesh.triangles, -1, axis=1)
-        opposite = np.roll(_corner_angles(mesh), 1, axis=1)
+        chosen = slice(None) if triangle is None else triangle
+        start = mesh.triangles[chosen]
+        end = np.roll(start, -1, axis=1)
+        opposite = np.roll(_corner_angles(mesh, start), 1, axis=1)
         weight = 0.5 * np.clip(1.0 / np.tan(np.maximum(opposite, 1e-3)), *_WEIGHTS).ravel()
-        if is_linked is not None:
-            weight = weight * np.repeat(is_linked, 3)
-        carried = np.exp(2j * (np.roll(self.previous_angle, -1, axis=1) - self.next_angle)).ravel()
+        at_start, at_end = self.next_angle[chosen], np.roll(self.previous_angle[chosen], -1, axis=1)
+        carried = np.exp(2j * (at_end - at_start)).ravel()
         i, j = start.ravel(), end.ravel()
         entries = np.concatenate([weight, weight, -weight * carried.conj(), -weight * carried])
         rows, columns = np.concatenate([i, j, i, j]), np.concatenate([i, j, j, i])
@@ -138,9 +138,9 @@ def build_transport(mesh: Triangulation, normal: Floats) -> Transport:
     return Transport(mesh, angles(-1), angles(1))
 
 
-def _corner_angles(mesh: Triangulation) -> Floats:
-    """Return the interior angles of the triangles, (t, 3) float64 in radians."""
-    position = mesh.position[mesh.triangles]
+def _corner_angles(mesh: Triangulation, triangles: Indices) -> Floats:
+    """Return the interior angles of triangles given by their corners, (t, 3) in radians."""
+    position = mesh.position[triangles]
     ahead = np.roll(position, -1, axis=1) - position
     behind = np.roll(position, 1, axis=1) - position
     return np.arctan2(

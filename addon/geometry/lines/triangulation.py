@@ -88,14 +88,6 @@ class Triangulation:
         """Number of sectors."""
         return len(self.position)
 
-    @cached_property
-    def edges(self) -> Indices:
-        """(e, 2) pairs of sectors joined by a side, each once, in rising order."""
-        ends = np.concatenate([self.triangles[:, [i, (i + 1) % 3]] for i in range(3)])
-        ends.sort(axis=1)
-        keys = np.unique(ends[:, 0] * self.sector_count + ends[:, 1])
-        return np.stack(np.divmod(keys, max(self.sector_count, 1)), axis=1)
-
     def points(self, triangle: Indices, barycentric: Floats) -> Floats:
         """Return points in the mesh's coordinates, (p, 3) in meters."""
         corner = self.position[self.triangles[triangle]]

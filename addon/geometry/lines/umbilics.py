@@ -100,7 +100,7 @@ def find_umbilics(field: DirectionField, transport: Transport, areas: Areas) -> 
     Umbilics
     """
     mesh = field.mesh
-    index = 0.5 * half_indices(field, transport)
+    index = 0.5 * half_indices(transport, transport.turn(field.deviator))
     triangle_area, area_count = areas.triangle_area, areas.count
     is_inside = triangle_area >= 0
     area_index = sum_by_group(triangle_area[is_inside], index[is_inside], area_count)
