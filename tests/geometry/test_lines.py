@@ -118,6 +118,19 @@ def test_families_cross_at_right_angles() -> None:
     assert np.abs(np.einsum("ij,ij->i", first, second)).max() < 1e-9
 
 
+@pytest.mark.parametrize("kind", ["regular", "irregular"])
+def test_closed_lines_go_around_once_and_never_back(kind: str) -> None:
+    """Where the arms of a line meet both may have crossed a side at the same place."""
+    traced = trace_evenly(field_on(sample_patch(PATCHES["catenoid"], kind, (110, 40))), 0.12)
+    rings = traced.chosen(np.flatnonzero(traced.is_closed))
+    assert rings.count > 10
+    for number in range(rings.count):
+        x, y, _ = rings.line_points(number).T
+        turn = np.angle(np.exp(1j * np.diff(np.arctan2(y, x), append=np.arctan2(y[0], x[0]))))
+        assert (turn * np.sign(turn.sum()) > 0.0).all()
+        assert abs(turn.sum()) == pytest.approx(2.0 * np.pi)
+
+
 def test_no_line_crosses_a_crease() -> None:
     """Two vaults that meet at a sharp valley: a line that reaches it ends there."""
     turn = np.linspace(0.4, np.pi - 0.4, 25)

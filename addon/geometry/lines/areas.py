@@ -109,23 +109,23 @@ def _is_large(field: DirectionField, group: Indices, radius: float) -> Flags:
     mesh = field.mesh
     count = int(group.max(initial=-1)) + 1
     area = sum_by_group(group, field.surface.sector_area, count)
-    extent = _extent(group, mesh.position, count)
+    radii = extent(group, mesh.position, count)
     # Nothing around it says what the directions were: a whole plane between creases.
     is_alone = np.ones(count, dtype=np.bool_)
     at_corner = group[mesh.triangles]
     is_alone[at_corner[(at_corner != at_corner[:, :1]).any(axis=1)]] = False
-    return (area > np.pi * radius**2) | (extent > _LONG * radius) | is_alone
+    return (area > np.pi * radius**2) | (radii > _LONG * radius) | is_alone
 
 
-def _extent(group: Indices, points: Floats, count: int) -> Floats:
+def extent(group: Indices, points: Floats, count: int) -> Floats:
     """Return the largest distance of a group's points from their middle, (count,) in meters."""
     members = np.maximum(np.bincount(group, minlength=count), 1)
     middle = np.stack(
         [sum_by_group(group, points[:, axis], count) / members for axis in range(3)], axis=1
     )
-    extent = np.zeros(count)
-    np.maximum.at(extent, group, np.linalg.norm(points - middle[group], axis=1))
-    return extent
+    radii = np.zeros(count)
+    np.maximum.at(radii, group, np.linalg.norm(points - middle[group], axis=1))
+    return radii
 
 
 def _grown(field: DirectionField, is_core: Flags) -> Flags:
@@ -158,7 +158,7 @@ def _seams(
     group = connected_groups(links, len(start))
     ends = mesh.position[start[triangle, corner]], mesh.position[end[triangle, corner]]
     count = int(group.max(initial=-1)) + 1
-    extent = _extent(group[triangle], 0.5 * (ends[0] + ends[1]), count)
+    radii = extent(group[triangle], 0.5 * (ends[0] + ends[1]), count)
     number = np.bincount(group[triangle], minlength=count)
     length = np.linalg.norm(ends[1] - ends[0], axis=1)
     typical = sum_by_group(group[triangle], length, count) / np.maximum(number, 1)
@@ -172,7 +172,7 @@ def _seams(
     through = sum_by_group(group[triangle], is_end.astype(np.float64), count) >= _THROUGH
     is_swap = ((turn > _SWAP) | is_open)[triangle, corner]
     swaps = sum_by_group(group[triangle], is_swap.astype(np.float64), count)
-    is_whole = ((extent > least) | through) & (swaps > 0.5 * number)
+    is_whole = ((radii > least) | through) & (swaps > 0.5 * number)
     is_seam = np.zeros(len(start), dtype=np.bool_)
     is_seam[triangle] = is_whole[group[triangle]]
     return is_seam

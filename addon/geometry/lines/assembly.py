@@ -103,7 +103,11 @@ def _meetings(field: DirectionField, state: Arms, samples: Samples, rules: Rules
     apart = forward.position[one] - backward.position[two]
     ahead = np.einsum("nx,nx->n", apart, backward.heading[two])
     far = far_along(forward.chosen(one), backward.chosen(two), rules.spacing)
-    behind = np.flatnonzero(far & (ahead <= 0.0))
+    # The first place of the forward arm that lies beside the backward one, not beyond its end.
+    last = np.zeros(len(state.closing))
+    np.maximum.at(last, backward.line, backward.arc)
+    is_beside = (ahead <= 0.0) | (backward.arc[two] < last[backward.line[two]])
+    behind = np.flatnonzero(far & is_beside)
     order = behind[np.lexsort((forward.arc[one[behind]], forward.arm[one[behind]]))]
     first = order[np.flatnonzero(np.diff(forward.line[one[order]], prepend=-1))]
     left = product(forward.normal[one[first]], forward.heading[one[first]])

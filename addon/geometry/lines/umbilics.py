@@ -17,11 +17,14 @@ import numpy as np
 
 from ..groups import connected_groups, sum_by_group
 from ..types import Flags, Floats, Indices
-from .areas import Areas
+from .areas import Areas, extent
 from .calming import half_indices
 from .field import WEAK, DirectionField
 from .linear_zero import Zeros, find_zeros
 from .transport import Transport
+
+#: Zeros this many edges from the middle of them all are no point.
+_POINT = 3.0
 
 
 class UmbilicKind(IntEnum):
@@ -130,7 +133,7 @@ def _grouped(field: DirectionField, zeros: Zeros, half: Indices, zone: Indices) 
     """Return zeros with those that noise cannot tell apart taken together.
 
     Zeros in one doubtful zone, or in triangles that share a weak corner, with indices that cancel
-    are none.
+    are none. Those of a group too large to be a point stay apart.
     """
     triangle = zeros.triangle
     corner = field.mesh.triangles[triangle]
@@ -143,6 +146,9 @@ def _grouped(field: DirectionField, zeros: Zeros, half: Indices, zone: Indices) 
     zero, place = np.nonzero(meeting >= 0)
     links = np.stack([item[zero], meeting[zero, place]], axis=1)
     group = connected_groups(links, count + zones + len(triangle))[item]
+    middle = field.mesh.position[corner].mean(axis=1)
+    size = extent(group, middle, count + zones + len(triangle))
+    group = np.where(size[group] > _POINT * field.mesh.edge_length, item, group)
     names, number = np.unique(group, return_inverse=True)
     number = number.reshape(-1)
     total = sum_by_group(number, half[triangle].astype(np.float64), len(names))
