@@ -170,6 +170,10 @@ def _seams(
     # A short one parts a narrow piece from one side to the other.
     is_end = (beyond < 0) | is_void[start[triangle]].any(axis=1)
     through = sum_by_group(group[triangle], is_end.astype(np.float64), count) >= _THROUGH
+    # Where noise is all that there is, turns prove nothing.
+    is_noise = is_doubtful & (field.uncertainty > field.tolerance)
+    is_sure = ~(is_noise[start] | is_noise[end])[triangle, corner]
+    through &= sum_by_group(group[triangle], is_sure.astype(np.float64), count) > 0.0
     is_swap = ((turn > _SWAP) | is_open)[triangle, corner]
     swaps = sum_by_group(group[triangle], is_swap.astype(np.float64), count)
     is_whole = ((radii > least) | through) & (swaps > 0.5 * number)

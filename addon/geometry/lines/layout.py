@@ -39,6 +39,8 @@ _FREE = 0.85
 _BESIDE = 0.2
 #: Shorter lines than this many spacings are left out; a tenth of it from rim to rim.
 _SHORTEST = 1.0
+#: The same in holes that would stay without.
+_SHORTEST_IN_HOLE = 0.5
 #: Most seams that lines go on beyond one after the other.
 _SEAMS = 20
 #: Most rounds of filling; gaps are gone much earlier.
@@ -57,7 +59,7 @@ class _Layout:
     tried: Samples
     gone_on: int = 0
 
-    def add(self, seeds: Seeds) -> int:
+    def add(self, seeds: Seeds, shortest: float = _SHORTEST) -> int:
         """Trace seeds against what is placed; return the number of new lines."""
         seeds = usable(self.lines, seeds)
         if not len(seeds):
@@ -65,7 +67,7 @@ class _Layout:
         spacing = self.rules.spacing
         field = self.lines.field
         state, samples = trace(field, self.around, seeds, self.samples, self.rules)
-        new = assemble(field, state, samples, self.rules, _SHORTEST * spacing)
+        new = assemble(field, state, samples, self.rules, shortest * spacing)
         # Who gave way to a line that is placed now may still have room beside it.
         is_told = (samples.arc == 0.0) & ~state.is_removed[samples.line]
         self.tried = joined([self.tried, samples.chosen(is_told)])
@@ -155,7 +157,7 @@ def trace_evenly(
             seeds = layout.fresh(seeds)
             if not len(seeds):
                 break
-            layout.add(seeds)
+            layout.add(seeds, _SHORTEST_IN_HOLE)
     return _sorted(layout.placed)
 
 

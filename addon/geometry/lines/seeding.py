@@ -220,9 +220,15 @@ def hole_seeds(
     field = lines.field
     mesh = field.mesh
     inside = np.flatnonzero((lines.umbilics.triangle_area < 0) & (mesh.double_area > 0.0))
-    # A triangle in about every quarter of a spacing is enough.
+    # A triangle in about every quarter of a spacing is enough, on every side of a thin part.
     size = max(mesh.edge_length, 0.25 * spacing)
-    cell = np.floor(mesh.position[mesh.triangles[inside]].mean(axis=1) / size).astype(np.int64)
+    cell = np.concatenate(
+        [
+            np.floor(mesh.position[mesh.triangles[inside]].mean(axis=1) / size),
+            np.round(mesh.frame[inside, 2]),
+        ],
+        axis=1,
+    ).astype(np.int64)
     inside = inside[np.unique(cell, axis=0, return_index=True)[1]]
     triangle = np.tile(inside, len(families))
     family = np.repeat(np.array([int(each) for each in families], dtype=np.int64), len(inside))
