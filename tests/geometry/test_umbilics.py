@@ -114,6 +114,22 @@ def test_indices_add_up_to_the_euler_characteristic(noise: float, flip: bool) ->
     assert torus.umbilics.total_index == 0.0
 
 
+@pytest.mark.parametrize("noise", [0.0, 0.005])
+def test_areas_and_points_add_up_together(noise: float) -> None:
+    """A sphere with a bulge: what is left of the sphere is an area, the bulge has points."""
+    sphere = sample_ellipsoid((1.0, 1.0, 1.0), "irregular", 24)
+    unit = sphere.shape.position
+    height = np.maximum(unit @ np.array([0.6, 0.48, 0.64]) - 0.1, 0.0)
+    bulge = 0.5 * height**3 * (1.0 + 0.6 * unit[:, 0])
+    moves = np.random.default_rng(1).normal(0.0, noise * sphere.longest_edge, len(unit))
+    mesh = mesh_from_polygons(unit * (1.0 + bulge + moves)[:, None], sphere.polygons)
+    surface = build_surface(mesh, crease_angle=pi)
+    umbilics = build_line_field(surface, estimate_curvature(surface)).umbilics
+    assert umbilics.area_size.max() > 1.5 * pi
+    assert umbilics.count > 0
+    assert umbilics.total_index == 2.0
+
+
 def test_poles_of_a_spheroid_have_index_one() -> None:
     umbilics = line_field(sample_ellipsoid((1.0, 1.0, 1.6), "geodesic", 16)).umbilics
     assert umbilics.total_index == 2.0
