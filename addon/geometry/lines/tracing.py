@@ -30,6 +30,8 @@ from .umbilics import Umbilics
 
 #: Least number of steps between two looks at other lines.
 _LOOK = 8
+#: Steps of one arm that cost as much as a look does.
+_FEW = 128
 #: Way between two looks, over the side of a triangle, below which an arm is stuck.
 _SLOWEST = 0.02
 
@@ -76,7 +78,7 @@ def trace(
     )
     parts, sparse = [first, _at_umbilics(field, around.umbilics, seeds, tangent)], [first]
     looked = np.zeros(len(arm))
-    looks = max(_LOOK, int(rules.spacing / field.mesh.edge_length))
+    looks = max(_LOOK, int(rules.spacing / field.mesh.edge_length), _FEW // max(len(arm), 1))
     before, is_new = arc.copy(), np.ones(len(arm), dtype=np.bool_)
     count, seen = 0, take_samples(field, no_trail())
     while len(active := np.flatnonzero(state.end < 0)):
