@@ -10,8 +10,8 @@ from ..addon import polls
 from ..addon.bridge.drawings import drawing_of
 from ..addon.bridge.subject import selected_subjects
 from ..addon.export.formats import TEXTS, write_drawing
+from ..addon.exporting import ExportOperator, file_filter, file_path
 from ..addon.report.files import FileRefusedError
-from .exporting import ExportOperator, file_filter, file_path
 
 
 class CURVATURE_OT_export_lines(ExportOperator, Operator):

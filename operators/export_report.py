@@ -9,10 +9,10 @@ from bpy.types import Context, Operator
 
 from ..addon import polls
 from ..addon.bridge.subject import carrier_of, selected_subjects
+from ..addon.exporting import ExportOperator, file_filter, file_path
 from ..addon.overlay.content import class_legend
 from ..addon.report.files import FORMATS, FileRefusedError, check_format, write_report
 from ..addon.reporting import css_colors, report_pictures, scene_document
-from .exporting import ExportOperator, file_filter, file_path
 
 
 class CURVATURE_OT_export_report(ExportOperator, Operator):

@@ -7,6 +7,7 @@ from __future__ import annotations
 from bpy.props import EnumProperty
 from bpy.types import Context, Operator
 
+from ..addon import polls
 from ..addon.bridge import names
 from ..addon.bridge.attributes import read_attribute
 from ..addon.bridge.mode import object_mode
@@ -14,7 +15,7 @@ from ..addon.bridge.selection import select_faces
 from ..addon.bridge.subject import carrier_of, selected_subjects
 from ..addon.geometry.classification import SurfaceClass
 from ..addon.properties.items import CLASS_ITEMS
-from .selecting import SelectOperator
+from ..addon.selecting import SelectOperator
 
 
 class CURVATURE_OT_select_class(SelectOperator, Operator):
@@ -32,6 +33,11 @@ class CURVATURE_OT_select_class(SelectOperator, Operator):
         default=SurfaceClass.SINGLE.name,
         options={"SKIP_SAVE"},
     )
+
+    @classmethod
+    def poll(cls, context: Context) -> bool:
+        """Ask for a segmented mesh."""
+        return polls.has_classes(cls, context)
 
     def execute(self, context: Context) -> set[str]:
         """Select on every mesh that has classes."""

@@ -7,13 +7,14 @@ from __future__ import annotations
 from bpy.props import BoolProperty, IntProperty
 from bpy.types import Context, Operator
 
+from ..addon import polls
 from ..addon.bridge import names, viewport
 from ..addon.bridge.attributes import read_attribute
 from ..addon.bridge.mode import object_mode
 from ..addon.bridge.region_list import region_names
 from ..addon.bridge.selection import select_faces
 from ..addon.bridge.subject import carrier_of
-from .selecting import SelectOperator
+from ..addon.selecting import SelectOperator
 
 
 class CURVATURE_OT_select_region(SelectOperator, Operator):
@@ -37,6 +38,11 @@ class CURVATURE_OT_select_region(SelectOperator, Operator):
         default=False,
         options={"SKIP_SAVE"},
     )
+
+    @classmethod
+    def poll(cls, context: Context) -> bool:
+        """Ask for a segmented mesh."""
+        return polls.has_classes(cls, context)
 
     def execute(self, context: Context) -> set[str]:
         """Select on the mesh that has the active object's regions."""

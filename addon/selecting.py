@@ -7,8 +7,7 @@ from __future__ import annotations
 from bpy.props import BoolProperty
 from bpy.types import Context, Event
 
-from ..addon import polls
-from ..addon.bridge.mode import enter_face_select
+from .bridge.mode import enter_face_select
 
 
 class SelectOperator:
@@ -20,11 +19,6 @@ class SelectOperator:
         default=False,
         options={"SKIP_SAVE"},
     )
-
-    @classmethod
-    def poll(cls, context: Context) -> bool:
-        """Ask for a segmented mesh."""
-        return polls.has_classes(cls, context)
 
     def invoke(self, context: Context, event: Event) -> set[str]:
         """Select and enter Edit Mode, where selected faces can be seen; Shift extends."""
