@@ -9,37 +9,16 @@ from dataclasses import dataclass, field
 import numpy as np
 from bpy.types import Context, Object
 
-from .bridge import names, outlines, results
+from .bridge import names, results
 from .bridge.attributes import read_attribute
+from .bridge.criteria import criterion_of
 from .bridge.mode import object_mode
-from .bridge.subject import Subject, carrier_of, read_object
+from .bridge.outlines import write_outline
+from .bridge.subject import carrier_of, read_object
 from .geometry.errors import CurvatureError
-from .geometry.outlines.borders import trace_borders
-from .geometry.outlines.level_curves import parabolic_curves
+from .geometry.outlines.outline import OutlineSettings, trace_outline
 from .geometry.outlines.polylines import Polylines
 from .steps import Steps, Work
-
-
-@dataclass(frozen=True)
-class OutlineSettings:
-    """Which curves to trace.
-
-    Parameters
-    ----------
-    kinds : tuple of str
-        BORDERS, PARABOLIC or both.
-    tolerance : float
-        How far borders may be moved to straighten them, in meters.
-    is_straight : bool
-        Whether borders are straightened at all; a tolerance of 0 is the deviation of the panels.
-    include_rims : bool
-        Whether the surface's own edges count as borders.
-    """
-
-    kinds: tuple[str, ...]
-    tolerance: float
-    is_straight: bool
-    include_rims: bool
 
 
 @dataclass
@@ -53,14 +32,14 @@ class Outlined:
 
 
 def outline_objects(
-    context: Context, objects: list[Object], settings: OutlineSettings
+    context: Context, objects: list[Object], wanted: list[OutlineSettings]
 ) -> Steps[Outlined]:
     """Make curve objects of the borders and parabolic curves of segmented objects."""
     outcome = Outlined()
     with object_mode(context):
         for source in objects:
             try:
-                traced = yield from _outline(context, source, settings)
+                traced = yield from _outline(context, source, wanted)
             except CurvatureError as error:
                 outcome.refused.append(f"{source.name}: {error}")
                 continue
@@ -73,38 +52,27 @@ def outline_objects(
 
 
 def _outline(
-    context: Context, source: Object, settings: OutlineSettings
+    context: Context, source: Object, wanted: list[OutlineSettings]
 ) -> Steps[dict[str, Polylines]]:
     carrier = carrier_of(source)
-    found = carrier.data.curvature
-    if not found.is_segmented:
+    mesh = carrier.data
+    if not mesh.curvature.is_segmented:
         raise CurvatureError("there are no regions: press Segment first")
     reading = read_object(
-        source,
-        context.scene,
-        context.evaluated_depsgraph_get(),
-        results.settings_of(carrier.data),
+        source, context.scene, context.evaluated_depsgraph_get(), results.settings_of(mesh)
     )
-    if reading.fingerprint != found.fingerprint:
+    if reading.fingerprint != mesh.curvature.fingerprint:
         raise CurvatureError("the model has changed: press Segment first")
-    subject = yield Work(reading.analyzed, 0.0, 0.8)
-    traced = {kind: _trace(subject, carrier, kind, settings) for kind in settings.kinds}
-    for kind, curves in traced.items():
-        outlines.write_outline(subject, carrier, curves, kind, context.scene)
-        outlines.write_measures(carrier.data, kind, curves.count, float(curves.lengths.sum()))
-    return traced
-
-
-def _trace(subject: Subject, carrier: Object, kind: str, settings: OutlineSettings) -> Polylines:
-    analysis, found = subject.analysis, carrier.data.curvature
-    if kind == "PARABOLIC":
-        return parabolic_curves(
-            analysis.surface, analysis.curvature, found.curvature_limit, found.panel_size
-        )
-    regions = read_attribute(carrier.data, names.REGION)
-    if regions is None or len(regions) != analysis.surface.mesh.polygon_count:
+    regions = read_attribute(mesh, names.REGION)
+    if regions is None or len(regions) != reading.mesh.polygon_count:
         raise CurvatureError("the regions are missing: press Segment first")
-    tolerance = (settings.tolerance or found.deviation) if settings.is_straight else 0.0
-    return trace_borders(
-        analysis.surface, regions.astype(np.int64), settings.include_rims, tolerance
-    ).curves
+    subject = yield Work(reading.analyzed, 0.0, 0.6)
+    criterion, face_region = criterion_of(mesh), regions.astype(np.int64)
+    traced = yield Work(
+        lambda _: [trace_outline(subject.analysis, face_region, criterion, s) for s in wanted],
+        0.6,
+        0.9,
+    )
+    for settings, curves in zip(wanted, traced, strict=True):
+        write_outline(subject, carrier, curves, settings, context.scene)
+    return {settings.kind: curves for settings, curves in zip(wanted, traced, strict=True)}

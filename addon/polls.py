@@ -7,6 +7,7 @@ from __future__ import annotations
 from bpy.types import Context, Object, Operator
 
 from .bridge import display
+from .bridge.drawings import DRAWN_ROLES
 
 
 def has_mesh(operator: type[Operator], context: Context) -> bool:
@@ -61,11 +62,11 @@ def has_scene(operator: type[Operator], context: Context) -> bool:
 
 
 def has_lines(operator: type[Operator], context: Context) -> bool:
-    """Ask for a selected mesh, and curvature lines in the scene."""
+    """Ask for a selected mesh, and curves of a model in the scene."""
     if not has_mesh(operator, context):
         return False
     # An empty set of lines has no object.
-    if not any(obj.type == "CURVE" and obj.curvature.companion_of for obj in context.scene.objects):
+    if not any(obj.curvature.role in DRAWN_ROLES for obj in context.scene.objects):
         operator.poll_message_set("Trace curvature lines first")
         return False
     return True

@@ -29,10 +29,8 @@ class RunningOperator:
 
     def execute(self, context: Context) -> set[str]:
         """Run the task to its end."""
-        try:
-            steps = self.steps(context)
-        except CurvatureError as error:
-            self.report({"ERROR"}, str(error))
+        steps = self._checked_steps(context)
+        if steps is None:
             return {"CANCELLED"}
         with progress(context.window_manager) as advance:
             outcome = complete(steps, advance)
@@ -48,11 +46,10 @@ class RunningOperator:
 
     def start(self, context: Context) -> set[str]:
         """Run the task beside the window."""
-        try:
-            self._run = Run(self.steps(context))
-        except CurvatureError as error:
-            self.report({"ERROR"}, str(error))
+        steps = self._checked_steps(context)
+        if steps is None:
             return {"CANCELLED"}
+        self._run = Run(steps)
         if self._run.advance(_PATIENCE):
             return self.finish(context, self._run.result)
         manager = context.window_manager
@@ -70,18 +67,35 @@ class RunningOperator:
             return {"CANCELLED"}
         if event.type != "TIMER":
             return {"RUNNING_MODAL"}
-        if not self._run.advance(0.0):
+        if not self._has_ended(context):
             share = round(100.0 * self._run.share)
             context.window_manager.progress_update(share)
             context.workspace.status_text_set(f"{self.bl_label}: {share} %    Esc: Cancel")
             return {"RUNNING_MODAL"}
-        self._leave(context)
         return self.finish(context, self._run.result)
 
     def cancel(self, context: Context) -> None:
         """Stop with Blender, or with the file that is closed."""
         self._run.cancel()
         self._leave(context)
+
+    def _checked_steps(self, context: Context) -> Steps[Outcome] | None:
+        """Return the task, or None after telling what is wrong with the settings."""
+        try:
+            return self.steps(context)
+        except CurvatureError as error:
+            self.report({"ERROR"}, str(error))
+            return None
+
+    def _has_ended(self, context: Context) -> bool:
+        """Go on; leave the window as it was where the task has ended, also by an error."""
+        has_ended = True
+        try:
+            has_ended = self._run.advance(0.0)
+        finally:
+            if has_ended:
+                self._leave(context)
+        return has_ended
 
     def _leave(self, context: Context) -> None:
         manager = context.window_manager

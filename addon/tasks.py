@@ -17,11 +17,12 @@ from .bridge.criteria import preset_of
 from .bridge.edits import Edits, read_edits
 from .bridge.material import show as show_material
 from .bridge.mode import object_mode
-from .bridge.outlines import discard_outlines
+from .bridge.outlines import shown_outlines, write_outline
 from .bridge.separation import discard_parts
 from .bridge.subject import (
     Reading,
     Subject,
+    carrier_of,
     discard_carrier,
     prepare_carrier,
     read_object,
@@ -31,6 +32,8 @@ from .bridge.subject import (
 )
 from .geometry.criterion import Criterion, resolve_criterion
 from .geometry.errors import CurvatureError
+from .geometry.outlines.outline import OutlineSettings, trace_outline
+from .geometry.outlines.polylines import Polylines
 from .geometry.progress import part_of
 from .geometry.segmentation import Segmentation, segment
 from .geometry.settings import AnalysisSettings, SegmentationSettings
@@ -131,14 +134,20 @@ def segment_objects(
     """
     preset = preset_of(context.scene, panel)
     edits: dict[str, Edits] = {}
+    shown: dict[str, list[OutlineSettings]] = {}
 
     def prepare(reading: Reading) -> None:
-        edits[reading.source.name_full] = given or read_edits(reading)
+        source = reading.source
+        edits[source.name_full] = given or read_edits(reading)
+        # Curves of the regions before would lie among other regions afterwards.
+        shown[source.name_full] = shown_outlines(source, carrier_of(source))
 
-    def compute(reading: Reading, on_progress: Progress) -> tuple[Subject, Segmentation]:
+    def compute(
+        reading: Reading, on_progress: Progress
+    ) -> tuple[Subject, Segmentation, list[Polylines]]:
         subject = reading.analyzed(part_of(on_progress, 0.0, _ANALYSIS))
         analysis, given_by_hand = subject.analysis, edits[reading.source.name_full]
-        return subject, segment(
+        segmentation = segment(
             analysis.surface,
             analysis.curvature,
             criterion_of(subject, panel),
@@ -147,13 +156,22 @@ def segment_objects(
             given_by_hand.cuts,
             part_of(on_progress, _ANALYSIS, 1.0),
         )
+        regions, criterion = segmentation.regions.face_region, segmentation.criterion
+        wanted = shown[reading.source.name_full]
+        return (
+            subject,
+            segmentation,
+            [trace_outline(analysis, regions, criterion, s) for s in wanted],
+        )
 
-    def write(found: tuple[Subject, Segmentation]) -> Object:
-        subject, segmentation = found
-        own = edits[subject.source.name_full]
+    def write(found: tuple[Subject, Segmentation, list[Polylines]]) -> Object:
+        subject, segmentation, traced = found
+        own, wanted = edits[subject.source.name_full], shown[subject.source.name_full]
         carrier = write_analysis(context, subject, settings, segmentation.criterion, own)
         results.write_segmentation(subject, carrier, segmentation, panel, own, preset)
         display.write_class_colors(carrier.data, context.scene.curvature)
+        for curves, outline in zip(traced, wanted, strict=True):
+            write_outline(subject, carrier, curves, outline, context.scene)
         return carrier
 
     with object_mode(context):
@@ -247,6 +265,6 @@ def _clear(context: Context, obj: Object) -> bool:
     for user in users_of(source.data):
         show_material(user, False)
     had_results = results.clear_results(source.data) if source.data.library is None else False
-    had_parts = [discard_parts(source), discard_outlines(source), discard_companions(source)]
+    had_parts = [discard_parts(source), discard_companions(source)]
     had_copy = discard_carrier(context, source)
     return had_results or had_copy or any(had_parts)

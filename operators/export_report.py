@@ -4,20 +4,18 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import bpy
-from bpy.props import BoolProperty, StringProperty
-from bpy.types import Context, Event, Operator
+from bpy.types import Context, Operator
 
 from ..addon import polls
 from ..addon.bridge.subject import carrier_of, selected_subjects
+from ..addon.exporting import ExportOperator, file_filter, file_path
 from ..addon.overlay.content import class_legend
 from ..addon.report.files import FORMATS, FileRefusedError, check_format, write_report
 from ..addon.reporting import css_colors, report_pictures, scene_document
 
 
-class CURVATURE_OT_export_report(Operator):
+class CURVATURE_OT_export_report(ExportOperator, Operator):
     """Write what was measured on the selected meshes to a file."""
 
     bl_idname = "curvature.export_report"
@@ -29,37 +27,15 @@ class CURVATURE_OT_export_report(Operator):
     # No UNDO: the operator changes a file, nothing in Blender.
     bl_options = {"REGISTER"}
 
-    filepath: StringProperty(
-        name="File Path",
-        description="File to write; its ending decides the format: .html, .json or .csv",
-        subtype="FILE_PATH",
-        options={"SKIP_SAVE"},
-    )
-    check_existing: BoolProperty(
-        name="Check Existing",
-        description="Warn before a file is replaced",
-        default=True,
-        options={"HIDDEN"},
-    )
-    filter_glob: StringProperty(
-        name="Filter",
-        description="Endings of the files to list",
-        default=";".join(f"*{ending}" for ending in FORMATS),
-        options={"HIDDEN"},
-    )
+    ending = "-curvature.html"
+
+    filepath: file_path(FORMATS)
+    filter_glob: file_filter(FORMATS)
 
     @classmethod
     def poll(cls, context: Context) -> bool:
         """Ask for an analyzed mesh."""
         return polls.has_results(cls, context)
-
-    def invoke(self, context: Context, _event: Event) -> set[str]:
-        """Ask for the file, beside the open one by default."""
-        if not self.filepath:
-            stem = Path(bpy.data.filepath).stem or "untitled"
-            self.filepath = str(Path(bpy.data.filepath).with_name(f"{stem}-curvature.html"))
-        context.window_manager.fileselect_add(self)
-        return {"RUNNING_MODAL"}
 
     def execute(self, context: Context) -> set[str]:
         """Collect the measures and write the file."""
@@ -68,7 +44,7 @@ class CURVATURE_OT_export_report(Operator):
         if not carriers:
             self.report({"ERROR"}, "The selected meshes have no curvature results: analyze them")
             return {"CANCELLED"}
-        path = Path(bpy.path.abspath(self.filepath))
+        path = self.path
         try:
             check_format(path)
             pictures = report_pictures(

@@ -10,7 +10,8 @@ from bpy.types import Context, Operator
 from ..addon import polls
 from ..addon.bridge import units
 from ..addon.bridge.subject import selected_subjects
-from ..addon.outlining import Outlined, OutlineSettings, outline_objects
+from ..addon.geometry.outlines.outline import OutlineSettings
+from ..addon.outlining import Outlined, outline_objects
 from ..addon.properties.items import OUTLINE_ITEMS
 from ..addon.running import RunningOperator
 from ..addon.steps import Steps
@@ -64,8 +65,11 @@ class CURVATURE_OT_outline(RunningOperator, Operator):
     def steps(self, context: Context) -> Steps[Outlined]:
         """Trace, and make curves."""
         kinds = ("BORDERS", "PARABOLIC") if self.kind == "BOTH" else (self.kind,)
-        settings = OutlineSettings(kinds, self.tolerance, self.straighten, self.include_rims)
-        return outline_objects(context, selected_subjects(context), settings)
+        wanted = [
+            OutlineSettings(kind, self.tolerance, self.straighten, self.include_rims)
+            for kind in kinds
+        ]
+        return outline_objects(context, selected_subjects(context), wanted)
 
     def finish(self, context: Context, outcome: Outlined) -> set[str]:
         """Tell how many curves there are, and how long they are."""

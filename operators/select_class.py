@@ -4,20 +4,21 @@
 
 from __future__ import annotations
 
-from bpy.props import BoolProperty, EnumProperty
-from bpy.types import Context, Event, Operator
+from bpy.props import EnumProperty
+from bpy.types import Context, Operator
 
 from ..addon import polls
 from ..addon.bridge import names
 from ..addon.bridge.attributes import read_attribute
-from ..addon.bridge.mode import enter_face_select, object_mode
+from ..addon.bridge.mode import object_mode
 from ..addon.bridge.selection import select_faces
 from ..addon.bridge.subject import carrier_of, selected_subjects
 from ..addon.geometry.classification import SurfaceClass
 from ..addon.properties.items import CLASS_ITEMS
+from ..addon.selecting import SelectOperator
 
 
-class CURVATURE_OT_select_class(Operator):
+class CURVATURE_OT_select_class(SelectOperator, Operator):
     """Select the faces of one class on the selected meshes."""
 
     bl_idname = "curvature.select_class"
@@ -32,25 +33,11 @@ class CURVATURE_OT_select_class(Operator):
         default=SurfaceClass.SINGLE.name,
         options={"SKIP_SAVE"},
     )
-    extend: BoolProperty(
-        name="Extend",
-        description="Keep the faces that are selected already",
-        default=False,
-        options={"SKIP_SAVE"},
-    )
 
     @classmethod
     def poll(cls, context: Context) -> bool:
         """Ask for a segmented mesh."""
         return polls.has_classes(cls, context)
-
-    def invoke(self, context: Context, event: Event) -> set[str]:
-        """Select and enter Edit Mode, where selected faces can be seen; Shift extends."""
-        self.extend = self.extend or event.shift
-        result = self.execute(context)
-        if result == {"FINISHED"} and context.mode == "OBJECT":
-            enter_face_select(context)
-        return result
 
     def execute(self, context: Context) -> set[str]:
         """Select on every mesh that has classes."""

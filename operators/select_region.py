@@ -5,18 +5,19 @@
 from __future__ import annotations
 
 from bpy.props import BoolProperty, IntProperty
-from bpy.types import Context, Event, Operator
+from bpy.types import Context, Operator
 
 from ..addon import polls
 from ..addon.bridge import names, viewport
 from ..addon.bridge.attributes import read_attribute
-from ..addon.bridge.mode import enter_face_select, object_mode
+from ..addon.bridge.mode import object_mode
 from ..addon.bridge.region_list import region_names
 from ..addon.bridge.selection import select_faces
 from ..addon.bridge.subject import carrier_of
+from ..addon.selecting import SelectOperator
 
 
-class CURVATURE_OT_select_region(Operator):
+class CURVATURE_OT_select_region(SelectOperator, Operator):
     """Select the faces of one region of the active mesh."""
 
     bl_idname = "curvature.select_region"
@@ -31,12 +32,6 @@ class CURVATURE_OT_select_region(Operator):
         min=-1,
         options={"SKIP_SAVE"},
     )
-    extend: BoolProperty(
-        name="Extend",
-        description="Keep the faces that are selected already",
-        default=False,
-        options={"SKIP_SAVE"},
-    )
     zoom: BoolProperty(
         name="Zoom",
         description="Let the viewport look at the region",
@@ -48,14 +43,6 @@ class CURVATURE_OT_select_region(Operator):
     def poll(cls, context: Context) -> bool:
         """Ask for a segmented mesh."""
         return polls.has_classes(cls, context)
-
-    def invoke(self, context: Context, event: Event) -> set[str]:
-        """Select and enter Edit Mode, where selected faces can be seen; Shift extends."""
-        self.extend = self.extend or event.shift
-        result = self.execute(context)
-        if result == {"FINISHED"} and context.mode == "OBJECT":
-            enter_face_select(context)
-        return result
 
     def execute(self, context: Context) -> set[str]:
         """Select on the mesh that has the active object's regions."""

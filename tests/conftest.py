@@ -17,6 +17,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = "architectural_curvature"
 ZIP_VARIABLE = "ARCHITECTURAL_CURVATURE_ZIP"
 _PLAIN_LEVELS = ("policy", "packaging", "geometry", "report")
+_STATUS: dict[pytest.Config, int] = {}
 
 
 def pytest_configure() -> None:
@@ -40,6 +41,23 @@ def _load_checkout() -> None:
     package = importlib.util.module_from_spec(spec)
     sys.modules[PACKAGE] = package
     spec.loader.exec_module(package)
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """Leave at once after tests in Blender: module bpy 4.2 crashes while C++ tidies up after it.
+
+    The report and the summary are written by then.
+    """
+    if ZIP_VARIABLE in os.environ and config in _STATUS:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(_STATUS[config])
+
+
+def pytest_sessionfinish(session: pytest.Session, exitstatus: int) -> None:
+    """Remember the status to leave with."""
+    _STATUS[session.config] = int(exitstatus)
 
 
 def pytest_collect_file(file_path: Path) -> None:

@@ -4,8 +4,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import bpy
 from bpy.types import Collection, Object, Scene
 
@@ -24,14 +22,27 @@ def link_beside(source: Object, made: Object, scene: Scene) -> None:
         collection.objects.link(made)
 
 
-def own_collections(made: Object) -> list[Collection]:
-    """Return the collections of ours that an object lies in, also where its source was renamed."""
-    return [each for each in made.users_collection if each.name.endswith(_ENDING)]
+def discard(source: Object, made: list[Object]) -> bool:
+    """Remove objects that were made for a source, their data, and collections left empty.
 
-
-def remove_if_empty(source: Object, others: Iterable[Collection] = ()) -> None:
-    """Remove the collection of a source, and others, where nothing is left in them."""
+    Returns
+    -------
+    bool
+        Whether there were any.
+    """
+    homes = {home for each in made for home in _own_collections(each)}
+    for obj in made:
+        data = obj.data
+        bpy.data.objects.remove(obj)
+        if not data.users:
+            bpy.data.batch_remove([data])
     named = bpy.data.collections.get(f"{source.name}{_ENDING}")
-    for collection in {*others, *([named] if named else [])}:
+    for collection in {*homes, *([named] if named else [])}:
         if not collection.objects and not collection.children:
             bpy.data.collections.remove(collection)
+    return bool(made)
+
+
+def _own_collections(made: Object) -> list[Collection]:
+    """Return the collections of ours that an object lies in, also where its source was renamed."""
+    return [each for each in made.users_collection if each.name.endswith(_ENDING)]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects that accompany a model: lines, markers and hatching, which later runs replace."""
+"""Objects that accompany a model: lines, borders, markers and hatching; later runs replace them."""
 
 from __future__ import annotations
 
@@ -9,15 +9,14 @@ from dataclasses import dataclass
 
 import bpy
 import numpy as np
-from bpy.types import ID, Material, Object, Scene
+from bpy.types import ID, Object, Scene
 from mathutils import Matrix
 
 from ..geometry.lines.field import Family
 from ..geometry.types import Floats
-from .collection import link_beside, own_collections, remove_if_empty
+from .collection import discard, link_beside
+from .material import Color
 from .subject import Subject
-
-Color = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -31,6 +30,7 @@ class Role:
 # Colors that no class has: strong ones, as thin lines look darker than they are.
 _RED, _BLUE = (0.75, 0.018, 0.012), (0.01, 0.075, 0.7)
 _VIOLET, _GREEN = (0.32, 0.015, 0.5), (0.0, 0.25, 0.08)
+_BLACK = (0.012, 0.012, 0.014)
 
 ROLES = {
     "LINES_1": Role("Lines 1", _RED),
@@ -41,8 +41,10 @@ ROLES = {
     "PICKED_LINES_2": Role("Picked Lines 2", _BLUE),
     "PICKED_ASYMPTOTIC_1": Role("Picked Asymptotic 1", _VIOLET),
     "PICKED_ASYMPTOTIC_2": Role("Picked Asymptotic 2", _GREEN),
+    "BORDERS": Role("Region Borders", _BLACK),
+    "PARABOLIC": Role("Parabolic Curves", (0.0, 0.17, 0.1)),
     "UMBILICS": Role("Umbilics", (0.9, 0.32, 0.0)),
-    "HATCHING": Role("Hatching", (0.012, 0.012, 0.014)),
+    "HATCHING": Role("Hatching", _BLACK),
 }
 """What each companion is for, by the name that is stored with it."""
 
@@ -101,15 +103,7 @@ def companion_name(source: Object, role: str) -> str:
 
 def discard_companions(source: Object, roles: Iterable[str] = tuple(ROLES)) -> bool:
     """Remove objects that accompany a model; return whether there were any."""
-    found = companions(source, roles)
-    homes = {home for each in found for home in own_collections(each)}
-    for obj in found:
-        data = obj.data
-        bpy.data.objects.remove(obj)
-        if not data.users:
-            bpy.data.batch_remove([data])
-    remove_if_empty(source, list(homes))
-    return bool(found)
+    return discard(source, companions(source, roles))
 
 
 def world_points(subject: Subject, points: Floats) -> Floats:
@@ -140,23 +134,6 @@ def companion_points(subject: Subject, companion: Object, points: Floats) -> Flo
     offset = world[:3, 3] - own[:3, 3]
     apart = _in_object(subject, points) @ world[:3, :3].T + offset
     return apart @ np.linalg.inv(own[:3, :3]).T
-
-
-def plain_material(name: str, color: Color) -> Material:
-    """Return a material of one color, made where it is missing."""
-    material = bpy.data.materials.get(name)
-    if material is not None and material.library is None:
-        return material
-    material = bpy.data.materials.new(name)
-    if material.node_tree is None:
-        # Blender 5.0 gives every material its nodes and deprecates the switch.
-        material.use_nodes = True
-    material.diffuse_color = (*color, 1.0)
-    for node in material.node_tree.nodes:
-        if node.type == "BSDF_PRINCIPLED":
-            node.inputs["Base Color"].default_value = (*color, 1.0)
-            node.inputs["Roughness"].default_value = 0.8
-    return material
 
 
 def _in_object(subject: Subject, points: Floats) -> Floats:

@@ -18,8 +18,8 @@ from .companions import (
     companion_name,
     companion_points,
     companions,
-    plain_material,
 )
+from .material import plain_material
 from .mesh import read_array
 from .subject import Subject
 from .units import meters_per_unit

@@ -4,15 +4,15 @@
 
 from __future__ import annotations
 
-import bpy
 import numpy as np
-from bpy.types import Material, Mesh, Object, PropertyGroup
+from bpy.types import Mesh, Object, PropertyGroup
 
 from ..geometry.classification import SurfaceClass
 from ..geometry.display.palette import CLASS_NAMES
 from . import names
 from .attributes import read_attribute, write_attribute
 from .display import class_colors
+from .material import plain_material
 from .mesh import corner_vertices, polygon_sizes
 
 _FACE_SETS = ".sculpt_face_set"
@@ -28,7 +28,8 @@ def write_materials(obj: Object, settings: PropertyGroup) -> None:
     slots = np.zeros(len(SurfaceClass), dtype=np.int32)
     for kind, color in class_colors(settings).items():
         if (classes == kind).any():
-            material = _class_material(kind, color)
+            name = f"Curvature {CLASS_NAMES[kind]}"
+            material = plain_material(name, color, is_kept=False)
             if material.name not in mesh.materials:
                 mesh.materials.append(material)
             slots[kind + 1] = mesh.materials.find(material.name)
@@ -62,18 +63,3 @@ def write_vertex_groups(obj: Object) -> None:
 def _read(mesh: Mesh, name: str) -> np.ndarray:
     values = read_attribute(mesh, name)
     return np.full(len(mesh.polygons), -1) if values is None else values
-
-
-def _class_material(kind: SurfaceClass, color: tuple[float, float, float]) -> Material:
-    name = f"Curvature {CLASS_NAMES[kind]}"
-    material = bpy.data.materials.get(name)
-    if material is None or material.library is not None:
-        material = bpy.data.materials.new(name)
-    if material.node_tree is None:
-        # Blender 5.0 gives every material its nodes and deprecates the switch.
-        material.use_nodes = True
-    material.diffuse_color = (*color, 1.0)
-    for node in material.node_tree.nodes:
-        if node.type == "BSDF_PRINCIPLED":
-            node.inputs["Base Color"].default_value = (*color, 1.0)
-    return material

@@ -14,13 +14,16 @@ from .curves import polylines
 from .units import meters_per_unit
 
 LINE_ROLES = tuple(role for role in ROLES if "LINES" in role or "ASYMPTOTIC" in role)
+"""Roles of the objects that show lines of curvature."""
+
+DRAWN_ROLES = (*LINE_ROLES, "BORDERS", "PARABOLIC")
 """Roles of the objects that drawings show."""
 
 
 def drawing_of(sources: list[Object], scene: Scene) -> Drawing:
-    """Return the lines of models, a layer per family, in world coordinates and meters."""
+    """Return the curves of models, a layer per role, in world coordinates and meters."""
     layers = []
-    for role in LINE_ROLES:
+    for role in DRAWN_ROLES:
         objects = [each for source in sources for each in companions(source, (role,))]
         lines = [Polyline(*line) for obj in objects for line in polylines(obj, scene)]
         if lines:

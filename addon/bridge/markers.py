@@ -17,8 +17,8 @@ from .companions import (
     companion_name,
     companion_points,
     discard_companions,
-    plain_material,
 )
+from .material import plain_material
 from .subject import Subject
 from .units import meters_per_unit
 

@@ -27,5 +27,7 @@ def object_mode(context: Context) -> Iterator[None]:
 
 def enter_face_select(context: Context) -> None:
     """Enter Edit Mode on the selected meshes with face selection."""
-    context.tool_settings.mesh_select_mode = (False, False, True)
+    # Not `context.tool_settings`: that makes the scene the owner of `bpy.context`, for good. With
+    # another file open, setting `bpy.context.window.scene` then writes into freed memory.
+    context.scene.tool_settings.mesh_select_mode = (False, False, True)
     bpy.ops.object.mode_set(mode="EDIT")

@@ -20,7 +20,6 @@ from ..geometry.types import AnyArray, Floats
 from ..report.files import FileRefusedError, written_whole
 from .companions import companions
 from .mesh import positions
-from .outlines import outlines_of
 from .subject import source_of
 
 Direction = tuple[float, float, float]
@@ -76,12 +75,7 @@ def render(
         if legend is not None:
             key = _draw_legend(legend, scale, temporary)
         with _scene("Curvature Picture", size) as scene:
-            lines = [
-                each
-                for obj in objects
-                for found in (outlines_of, companions)
-                for each in found(source_of(obj))
-            ]
+            lines = [each for obj in objects for each in companions(source_of(obj))]
             for shown in [*objects, *lines]:
                 scene.collection.objects.link(shown)
             _aim_camera(scene, objects, eye, key.shape[1] + margin if legend else 0)

@@ -13,7 +13,7 @@ from ..geometry.display.palette import CLASS_NAMES
 from ..geometry.types import Flags
 from . import names
 from .attributes import read_attribute
-from .collection import link_beside, own_collections, remove_if_empty
+from .collection import discard, link_beside
 from .mesh import corner_vertices, polygon_sizes, positions, read_array
 from .region_list import region_names
 from .subject import source_of
@@ -57,14 +57,7 @@ def separate(carrier: Object, scene: Scene, by_region: bool) -> list[Object]:
 def discard_parts(source: Object) -> bool:
     """Remove the objects that were made of a source's parts; return whether there were any."""
     parts = [each for each in bpy.data.objects if each.curvature.part_of == source]
-    homes = {home for part in parts for home in own_collections(part)}
-    for obj in parts:
-        mesh = obj.data
-        bpy.data.objects.remove(obj)
-        if not mesh.users:
-            bpy.data.meshes.remove(mesh)
-    remove_if_empty(source, list(homes))
-    return bool(parts)
+    return discard(source, parts)
 
 
 def _part_of(mesh: Mesh, is_wanted: Flags, name: str) -> Mesh:

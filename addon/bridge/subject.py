@@ -16,7 +16,7 @@ from ..geometry.mesh import PolygonMesh
 from ..geometry.settings import AnalysisSettings
 from ..geometry.types import AnyArray, Floats, Progress
 from . import cache
-from .collection import link_beside, own_collections, remove_if_empty
+from .collection import discard, link_beside
 from .evaluation import evaluated_mesh, evaluated_object
 from .frame import meters_from_object
 from .mesh import corner_edges, corner_vertices, positions, read_polygon_mesh
@@ -222,12 +222,8 @@ def discard_carrier(context: Context, source: Object) -> bool:
     copy = _own_copy(source)
     if copy is None:
         return False
-    mesh, was_active = copy.data, context.view_layer.objects.active == copy
-    homes = own_collections(copy)
-    bpy.data.objects.remove(copy)
-    if not mesh.users:
-        bpy.data.meshes.remove(mesh)
-    remove_if_empty(source, homes)
+    was_active = context.view_layer.objects.active == copy
+    discard(source, [copy])
     if source.name in context.view_layer.objects:
         source.hide_set(False)
         source.select_set(True)

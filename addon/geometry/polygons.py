@@ -41,22 +41,6 @@ def measure_polygons(mesh: PolygonMesh) -> tuple[Floats, Floats]:
     return np.stack(vectors, axis=1), sum_by_group(mesh.triangle_polygon, areas, mesh.polygon_count)
 
 
-def polygon_area_vectors(mesh: PolygonMesh) -> Floats:
-    """Return the vector area of every polygon, (m, 3) float64; see `measure_polygons`."""
-    return measure_polygons(mesh)[0]
-
-
-def triangle_areas(mesh: PolygonMesh) -> Floats:
-    """Return the area of every filling triangle, (t,) float64 in m²."""
-    x, y, z = _triangle_vectors(mesh)
-    return np.sqrt(x * x + y * y + z * z)
-
-
-def polygon_areas(mesh: PolygonMesh) -> Floats:
-    """Return the area of every polygon as the sum of its triangles, (m,) float64 in m²."""
-    return measure_polygons(mesh)[1]
-
-
 def degenerate_polygons(mesh: PolygonMesh, areas: Floats) -> Flags:
     """Return which polygons are so thin that their normal is rounding noise.
 

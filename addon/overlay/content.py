@@ -11,7 +11,7 @@ from ..bridge import names, units
 from ..bridge.companions import ROLES, companions
 from ..bridge.criteria import criterion_lines, criterion_of
 from ..bridge.display import CURVATURES, analyzed_objects, class_colors
-from ..bridge.drawings import LINE_ROLES
+from ..bridge.drawings import DRAWN_ROLES
 from ..bridge.markers import SIGN_COLORS, umbilic_signs
 from ..bridge.results import read_report
 from ..bridge.subject import carrier_of, source_of
@@ -70,9 +70,9 @@ def tolerance_notes(scene: Scene, objects: list[Object]) -> tuple[str, ...]:
 
 
 def line_legend(scene: Scene, objects: list[Object]) -> Legend | None:
-    """Return the key of the curvature lines of some objects; None without lines."""
+    """Return the key of the curves on some objects; None without curves."""
     rows = []
-    for role in LINE_ROLES:
+    for role in DRAWN_ROLES:
         found = [each for obj in objects for each in companions(source_of(obj), (role,))]
         count = sum(len(each.data.splines) for each in found)
         if count:

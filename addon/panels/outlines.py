@@ -35,6 +35,8 @@ class CURVATURE_PT_outlines(SidebarPanel, Panel):
             length = line.row()
             length.alignment = "RIGHT"
             length.label(text=units.length_text(context.scene, row.length))
+        if mesh and mesh.curvature.outlines:
+            layout.operator("curvature.export_lines", icon="EXPORT")
 
 
 _NOUNS = {"BORDERS": "borders", "PARABOLIC": "parabolic curves"}

@@ -4,12 +4,21 @@
 
 from __future__ import annotations
 
-from bpy.types import Context, Panel, PropertyGroup, Scene, UILayout
+from bpy.types import Context, Mesh, Panel, PropertyGroup, Scene, UILayout
 
 from ..bridge import units
+from ..bridge.results import settings_of
+from ..bridge.segmentation_settings import segmentation_settings_of
+from ..choices import analysis_settings, segmentation_settings
 from ..geometry.classification import SurfaceClass
 from ..geometry.display.palette import CLASS_NAMES
+from ..geometry.errors import InvalidSettingError
+from ..geometry.settings import SegmentationSettings
+from ..preset_text import LIMITS
 from .base import SidebarPanel, active_results_mesh
+from .text import wrap
+
+_OTHER_SETTINGS = "Made with other settings than those above"
 
 
 class CURVATURE_PT_results(SidebarPanel, Panel):
@@ -26,10 +35,32 @@ class CURVATURE_PT_results(SidebarPanel, Panel):
         if mesh is None or not mesh.curvature.is_segmented:
             layout.label(text="Segment a model to see its classes", icon="INFO")
             return
+        if _has_other_settings(context, mesh):
+            col = layout.column(align=True)
+            for number, line in enumerate(wrap(_OTHER_SETTINGS, context)):
+                col.label(text=line, icon="BLANK1" if number else "INFO")
         for row in mesh.curvature.classes:
             if row.faces or row.surface_class != SurfaceClass.UNDEFINED.name:
                 _draw_class(layout, context.scene, row)
         layout.operator("curvature.export_report", icon="EXPORT")
+
+
+def _has_other_settings(context: Context, mesh: Mesh) -> bool:
+    """Return whether pressing Segment would ask for something else than what is shown."""
+    try:
+        wanted = segmentation_settings(context), analysis_settings(context)
+    except InvalidSettingError:
+        return True
+    return (_limits(wanted[0]), wanted[1]) != (
+        _limits(segmentation_settings_of(mesh)),
+        settings_of(mesh),
+    )
+
+
+def _limits(settings: SegmentationSettings) -> tuple[object, ...]:
+    """Return the settings that count with their criterion."""
+    names = ("panel_size", "min_area", *LIMITS[settings.criterion.name])
+    return settings.criterion, *(getattr(settings, name) for name in names)
 
 
 def _draw_class(layout: UILayout, scene: Scene, measure: PropertyGroup) -> None:

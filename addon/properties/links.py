@@ -8,13 +8,10 @@ import bpy
 from bpy.props import (
     BoolProperty,
     CollectionProperty,
-    EnumProperty,
     PointerProperty,
     StringProperty,
 )
 from bpy.types import Object, PropertyGroup
-
-from .items import OUTLINE_ITEMS
 
 
 class CURVATURE_PG_slot(PropertyGroup):
@@ -39,18 +36,10 @@ class CURVATURE_PG_object(PropertyGroup):
         name="Part Of",
         description="Object whose class or region this object was made of",
     )
-    outline_of: PointerProperty(
-        type=Object,
-        name="Outline Of",
-        description="Object whose borders or parabolic curves this object shows",
-    )
-    outline: EnumProperty(
-        name="Outline", description="What the curves of this object follow", items=OUTLINE_ITEMS
-    )
     companion_of: PointerProperty(
         type=Object,
         name="Companion Of",
-        description="Object whose lines, umbilics or hatching this object shows",
+        description="Object whose lines, borders, umbilics or hatching this object shows",
     )
     role: StringProperty(name="Role", description="What this object shows of its model")
     slots: CollectionProperty(

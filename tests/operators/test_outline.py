@@ -158,8 +158,8 @@ def test_clear_removes_the_curves() -> None:
     assert not bpy.data.curves
 
 
-def test_lengths_are_in_the_report_until_the_regions_change(tmp_path: Path) -> None:
-    obj = add_torus()
+def test_lengths_are_in_the_report(tmp_path: Path) -> None:
+    add_torus()
     bpy.ops.curvature.segment(**STRICT)
     bpy.ops.curvature.outline(kind="BOTH")
     path = tmp_path / "report.json"
@@ -170,8 +170,46 @@ def test_lengths_are_in_the_report_until_the_regions_change(tmp_path: Path) -> N
     assert block["borders"]["count"] == len(_line("BORDERS").data.splines)
     bpy.ops.curvature.export_report(filepath=str(tmp_path / "report.csv"))
     assert "parabolic_curves,length" in (tmp_path / "report.csv").read_text(encoding="utf-8")
-    bpy.ops.curvature.segment(panel_size=0.5, deviation=0.02)
+
+
+def test_curves_are_drawn_anew_when_the_regions_change() -> None:
+    obj = add_folded_roof()
+    bpy.ops.curvature.segment()
+    bpy.ops.curvature.outline(kind="BORDERS", include_rims=True, straighten=False)
+    for vertex in obj.data.vertices:
+        vertex.co.y *= 2.0
+    obj.data.update()
+    bpy.ops.curvature.segment()
+    (row,) = obj.data.curvature.outlines
+    # Ridge and eaves are 4 m long now; four gable edges rise at 45 degrees over 1 m.
+    assert row.length == pytest.approx(3 * 4.0 + 4 * 2.0**0.5)
+    (shown,) = [each for each in bpy.data.objects if each.curvature.role == "BORDERS"]
+    assert sum(len(spline.points) for spline in shown.data.splines) > 0
+
+
+def test_curves_that_were_deleted_do_not_come_back() -> None:
+    obj = add_folded_roof()
+    bpy.ops.curvature.segment()
+    bpy.ops.curvature.outline(kind="BORDERS")
+    bpy.data.objects.remove(_line("BORDERS", "Fold"))
+    bpy.ops.curvature.segment()
     assert not obj.data.curvature.outlines
+    assert [each for each in bpy.data.objects if each.curvature.role] == []
+
+
+def test_borders_and_parabolic_curves_are_layers_of_a_drawing(
+    run: Callable[..., Any], tmp_path: Path
+) -> None:
+    add_torus()
+    bpy.ops.curvature.segment(**STRICT)
+    bpy.ops.curvature.outline(kind="BOTH")
+    path = tmp_path / "torus.dxf"
+    result, report = run("export_lines", filepath=str(path))
+    assert result == {"FINISHED"}
+    words = {word.strip() for word in path.read_text(encoding="utf-8").split("\n")}
+    assert {"REGION_BORDERS", "PARABOLIC_CURVES"} <= words
+    count = len(_line("BORDERS").data.splines) + 2
+    assert report == f"Info: Wrote {count} lines to torus.dxf"
 
 
 def test_model_without_such_curves_says_so(run: Callable[..., Any]) -> None:

@@ -183,6 +183,25 @@ def test_results_panel_has_every_class_with_its_figures() -> None:
     assert shown.operators[-1] == "curvature.export_report"
 
 
+def test_results_panel_tells_when_the_settings_are_others_by_now() -> None:
+    hint = "Made with other settings than those above"
+    settings = bpy.context.scene.curvature
+    settings.deviation = 0.013
+    add_surface(dome)
+    bpy.ops.curvature.segment()
+    assert hint not in " ".join(_draw("results").texts)
+    for name, value in (("deviation", 0.02), ("crease_angle", 0.3), ("smoothing", "NONE")):
+        before = getattr(settings, name)
+        setattr(settings, name, value)
+        assert hint in " ".join(_draw("results").texts)
+        setattr(settings, name, before)
+    # The limits of criteria that were not chosen do not count.
+    settings.smallest_radius = 7.0
+    assert hint not in " ".join(_draw("results").texts)
+    bpy.ops.curvature.segment(deviation=0.02)
+    assert hint in " ".join(_draw("results").texts)
+
+
 def test_results_of_the_copy_are_shown_for_its_source() -> None:
     _on_a_copy()
     expected = _draw("results").texts

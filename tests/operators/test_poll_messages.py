@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import bpy
 import pytest
-from models import STRICT, add_surface, dome
+from models import STRICT, add_surface, dome, saddle
 
 LINES = ("trace_lines", "trace_through", "pick_lines", "find_umbilics", "hatch")
 NEED_CLASSES = (
@@ -74,7 +74,11 @@ def test_classes_are_asked_for(name: str) -> None:
 
 
 def test_lines_are_asked_for() -> None:
-    add_surface(dome)
+    add_surface(saddle, steps=32)
+    assert _refusal("export_lines").rstrip().endswith("Trace curvature lines first")
+    # Strokes are an illustration, which no drawing shows.
+    bpy.ops.curvature.hatch(tone="CURVATURE", spacing=0.08)
+    assert bpy.data.objects["Roof Hatching"].data.splines
     assert _refusal("export_lines").rstrip().endswith("Trace curvature lines first")
 
 

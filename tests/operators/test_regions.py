@@ -215,7 +215,7 @@ def test_panel_of_curves_tells_their_lengths(roof: Object) -> None:
     bpy.ops.curvature.outline(kind="BORDERS")
     shown = _draw("outlines")
     assert f"{roof.data.curvature.outlines[0].curves} borders" in shown.texts
-    assert shown.operators == ["curvature.outline"]
+    assert shown.operators == ["curvature.outline", "curvature.export_lines"]
 
 
 @pytest.mark.parametrize("name", ["regions", "outlines"])

@@ -80,7 +80,7 @@ def test_edges_and_vertices_of_the_faces_are_selected_and_no_others(roof: Object
 
 def test_selection_survives_entering_edit_mode_with_face_selection(roof: Object) -> None:
     bpy.ops.curvature.select_class(surface_class="FLAT")
-    bpy.context.tool_settings.mesh_select_mode = (False, False, True)
+    bpy.context.scene.tool_settings.mesh_select_mode = (False, False, True)
     bpy.ops.object.mode_set(mode="EDIT")
     assert _selected(roof) == _of_class(roof, 0)
 
@@ -94,7 +94,7 @@ def test_button_enters_edit_mode_to_show_the_faces(roof: Object, with_shift: boo
     event = SimpleNamespace(shift=with_shift)
     CURVATURE_OT_select_class.invoke(operator, bpy.context, event)
     assert roof.mode == "EDIT"
-    assert tuple(bpy.context.tool_settings.mesh_select_mode) == (False, False, True)
+    assert tuple(bpy.context.scene.tool_settings.mesh_select_mode) == (False, False, True)
     assert _selected(roof) == _of_class(roof, *((0, 1) if with_shift else (0,)))
 
 

@@ -31,6 +31,8 @@ _ALLOWED = {
     "tasks": {"bridge", "geometry", "steps"},
     "outlining": {"bridge", "geometry", "steps"},
     "editing": {"bridge", "geometry", "steps", "tasks"},
+    "exporting": set(),
+    "selecting": {"bridge"},
     "running": {"geometry", "progress", "reporting", "steps", "tasks"},
     "tracing": {"bridge", "geometry", "report", "steps", "tasks"},
     "reporting": {"bridge", "geometry", "report", "tasks", "version"},
@@ -40,7 +42,7 @@ _ALLOWED = {
     "operators": {
         "bridge", "geometry", "report", "properties", "overlay", "choices", "polls", "progress",
         "tasks", "reporting", "outlining", "editing", "preset_text", "running", "steps", "tracing",
-        "export",
+        "export", "exporting", "selecting",
     },
     "cli": {
         "bridge", "geometry", "report", "properties", "overlay", "choices", "tasks", "reporting",

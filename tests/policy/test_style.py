@@ -103,6 +103,17 @@ def test_nothing_is_left_to_do(sources: list) -> None:
     assert not wrong
 
 
+def test_tool_settings_are_those_of_a_scene(sources: list) -> None:
+    """Asking the context for them leaves it with a pointer to the scene of a closed file."""
+    wrong = [
+        f"{source}:{node.lineno}"
+        for source in sources
+        for node in source.places(ast.Attribute)
+        if node.attr == "tool_settings" and ast.unparse(node.value).endswith("context")
+    ]
+    assert not wrong
+
+
 def test_no_star_imports(sources: list) -> None:
     wrong = [
         f"{source}:{node.lineno}"

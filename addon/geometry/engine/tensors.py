@@ -9,9 +9,6 @@ import numpy as np
 from ..types import AnyArray
 from .normals import tangent_frame
 
-#: xx, yy, zz, xy, xz, yz: how often each entry stands in the full matrix.
-MULTIPLICITY = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])[:, None]
-
 
 def from_principal(
     k1: AnyArray, k2: AnyArray, direction_1: AnyArray, direction_2: AnyArray

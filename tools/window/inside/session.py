@@ -76,23 +76,9 @@ def click(x: float, y: float, button: int = 1) -> Step:
     return _mouse("mousemove", *_on_screen(x, y), "sleep", "0.3", "click", str(button))
 
 
-def drag(*places: tuple[float, float], button: int = 1) -> Step:
-    """Press at the first place, pass through the others and let go at the last."""
-    (x, y), *others = places
-    words = ["mousemove", *_on_screen(x, y), "sleep", "0.3", "mousedown", str(button)]
-    for place in others:
-        words += ["sleep", "0.1", "mousemove", *_on_screen(*place)]
-    return _mouse(*words, "sleep", "0.2", "mouseup", str(button))
-
-
 def key(name: str) -> Step:
     """Press a key, in X's names: "Return", "ctrl+z"."""
     return _mouse("key", name)
-
-
-def type_text(text: str) -> Step:
-    """Type a text into the field that is being edited."""
-    return _mouse("type", "--delay", "30", text)
 
 
 def _mouse(*words: str) -> Step:
