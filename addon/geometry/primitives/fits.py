@@ -1,0 +1,155 @@
+# SPDX-FileCopyrightText: 2026 Architectural Curvature developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Primitives fitted to points of a surface: a first guess from normals, then least squares."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..types import Floats
+from .shapes import Kind, Primitive, frame_of
+
+#: Steps of least squares; from a good guess three are enough.
+_STEPS = 8
+#: Tukey's weights vanish at this many standard deviations: 95 % efficient for normal noise.
+_TUKEY = 4.685
+#: Standard deviations per median of the absolute value, of normal noise.
+_MEDIAN = 1.4826
+#: Share of its diagonal that keeps a system solvable.
+_LEAST_DAMPING = 1e-10
+#: A step that changes lengths by no more than this share of the scatter of heights is the last.
+_DONE = 0.01
+#: The most curved surface that is still one, as a share of the points' extent: less is noise.
+_SMALLEST = 1e-3
+
+
+def first_guesses(kind: Kind, points: Floats, normals: Floats) -> list[Primitive]:
+    """Return primitives of a kind that may describe points, to be refined.
+
+    Parameters
+    ----------
+    kind : Kind
+    points : (n, 3) float64
+    normals : (n, 3) float64
+        Unit normals of the surface, as good as they are known.
+
+    Returns
+    -------
+    list of Primitive
+
+    References
+    ----------
+    .. [1] Pottmann, Randrup (1998). Rotational and helical surface approximation for reverse
+           engineering. Computing 60.
+    """
+    middle = points.mean(axis=0)
+    local = points - middle
+    scale = float(np.sqrt((local * local).sum(axis=1).mean())) or 1.0
+    if kind is Kind.PLANE:
+        _, vectors = np.linalg.eigh(local.T @ local)
+        return [Primitive(kind, middle, frame_of(vectors[:, 0]), ())]
+    if kind is Kind.SPHERE:
+        center, radius = _center(local / scale)
+        return [Primitive(kind, middle + scale * center, np.eye(3), (scale * radius,))]
+    guesses: list[Primitive] = []
+    for axis, through in _axes(local / scale, normals):
+        origin, frame = middle + scale * through, frame_of(axis)
+        x, y, z = ((points - origin) @ frame.T).T
+        # The origin goes along the axis to where the points are.
+        origin = origin + z.mean() * frame[2]
+        rho, z = np.hypot(x, y), z - z.mean()
+        if kind is Kind.CYLINDER:
+            sizes: tuple[float, ...] = (float(rho.mean()),)
+        elif kind is Kind.CONE:
+            slope = float((z * (rho - rho.mean())).sum() / max((z * z).sum(), 1e-300))
+            sizes = (float(rho.mean()), float(np.arctan(slope)))
+        else:
+            center, radius = _center(np.stack([rho, z], axis=1) / scale)
+            origin = origin + scale * center[1] * frame[2]
+            sizes = (float(scale * center[0]), scale * radius)
+        guesses.append(Primitive(kind, origin, frame, sizes))
+    return guesses
+
+
+def refine(primitive: Primitive, points: Floats, floor: float) -> Primitive:
+    """Return the primitive of the same kind nearest to points, outliers disregarded.
+
+    Parameters
+    ----------
+    primitive : Primitive
+        A good guess.
+    points : (n, 3) float64
+    floor : float
+        Heights in meters below which nothing is to be gained; above 0.
+
+    Returns
+    -------
+    Primitive
+
+    References
+    ----------
+    .. [1] Lukács, Martin, Marshall (1998). Faithful least-squares fitting of spheres, cylinders,
+           cones and tori for reliable segmentation. ECCV.
+    """
+    extent = float(np.linalg.norm(np.ptp(points, axis=0)))
+    damping = _LEAST_DAMPING
+    height, by = primitive.derivatives(points)
+    for _ in range(_STEPS):
+        scatter = max(_MEDIAN * float(np.median(np.abs(height))), floor)
+        weight = _tukey(height, scatter)
+        scale = np.maximum(np.sqrt((by * by).mean(axis=0)), 1e-12 * np.sqrt((by * by).mean()))
+        columns = by / np.where(scale > 0.0, scale, 1.0)
+        system = columns.T @ (weight[:, None] * columns)
+        system += damping * len(points) * np.eye(len(scale))
+        change = -np.linalg.solve(system, columns.T @ (weight * height))
+        changed = primitive.changed(change / np.where(scale > 0.0, scale, 1.0))
+        if changed.sizes and abs(changed.sizes[-1]) < _SMALLEST * extent * (
+            changed.kind is not Kind.CONE
+        ):
+            break
+        new_height, new_by = changed.derivatives(points)
+        if _cost(new_height, scatter) <= _cost(height, scatter):
+            primitive, height, by = changed, new_height, new_by
+            damping = max(0.1 * damping, _LEAST_DAMPING)
+            if np.abs(change).max() <= _DONE * scatter:
+                break
+        else:
+            damping = max(1e3 * damping, 1e-6)
+    return primitive
+
+
+def _tukey(height: Floats, scatter: float) -> Floats:
+    return np.maximum(1.0 - (height / (_TUKEY * scatter)) ** 2, 0.0) ** 2
+
+
+def _cost(height: Floats, scatter: float) -> float:
+    """Return what Tukey's weights minimize, up to a factor."""
+    return float((1.0 - np.maximum(1.0 - (height / (_TUKEY * scatter)) ** 2, 0.0) ** 3).sum())
+
+
+def _center(points: Floats) -> tuple[Floats, float]:
+    """Return center and radius of the circle or sphere through points: |p|² = 2 c p + d."""
+    square = (points * points).sum(axis=1)
+    system: Floats = np.concatenate([2.0 * points, np.ones((len(points), 1))], axis=1)
+    solution = np.asarray(np.linalg.lstsq(system, square, rcond=1e-12)[0], dtype=np.float64)
+    center = solution[:-1]
+    return center, float(np.sqrt(max(float(solution[-1] + center @ center), 1e-12)))
+
+
+def _axes(points: Floats, normals: Floats) -> list[tuple[Floats, Floats]]:
+    """Return directions and points of lines that all normals about meet, best first.
+
+    A rotation with velocity a + c x p keeps the surface where (a + c x p) n = 0: the linear
+    complex with least residual under |c| = 1.
+    """
+    moment = np.asarray(np.cross(points, normals), dtype=np.float64)
+    slide: Floats = normals.T @ normals
+    slide += (1e-6 * float(np.trace(slide)) + 1e-12) * np.eye(3)
+    mixed: Floats = moment.T @ normals
+    lever = np.asarray(np.linalg.solve(slide, mixed.T), dtype=np.float64)
+    _, vectors = np.linalg.eigh(moment.T @ moment - mixed @ lever)
+    found: list[tuple[Floats, Floats]] = []
+    for number in (0, 1):
+        axis = np.asarray(vectors[:, number], dtype=np.float64)
+        found.append((axis, np.asarray(np.cross(axis, -lever @ axis), dtype=np.float64)))
+    return found
