@@ -8,7 +8,7 @@ import numpy as np
 
 from .groups import sum_by_group
 from .surface import Surface
-from .types import Floats, Indices
+from .types import Flags, Floats, Indices
 
 
 def half_edge_lengths(surface: Surface) -> Floats:
@@ -34,6 +34,17 @@ def sector_links(surface: Surface) -> Indices:
     low, high = ends.min(axis=1), ends.max(axis=1)
     keys = np.unique(low * surface.sector_count + high)
     return np.stack(np.divmod(keys, surface.sector_count), axis=1)
+
+
+def rim_sectors(surface: Surface) -> Flags:
+    """Return the sectors on rims and creases, (s,) bool."""
+    is_smooth = np.zeros(len(surface.corner_sector), dtype=np.bool_)
+    is_smooth[surface.edges.smooth.reshape(-1)] = True
+    corner = np.flatnonzero(~is_smooth)
+    rim = np.zeros(surface.sector_count, dtype=np.bool_)
+    rim[surface.corner_sector[corner]] = True
+    rim[surface.corner_sector[surface.mesh.next_corner[corner]]] = True
+    return rim
 
 
 def joined_links(pairs: Indices, length: Floats, count: int) -> tuple[Indices, Floats]:

@@ -142,3 +142,29 @@ def tulip(recipe: Recipe) -> Composite:
     a = np.radians(40)
     pieces = [(1.5, 0.0), (a, 1.0), (1.0, 0.0)]
     return revolved(pieces, [SINGLE, HYPERBOLIC, SINGLE], 3, 0.6, recipe)
+
+
+def bottle(recipe: Recipe) -> Composite:
+    """Return a cylinder that a dome narrows to a cone and a saddle to a thinner cylinder."""
+    a = np.radians(35)
+    pieces = [(1.0, 0.0), (0.5 * a, -1 / 0.5), (0.8, 0.0), (0.6 * a, 1 / 0.6), (0.9, 0.0)]
+    return revolved(pieces, [SINGLE, ELLIPTIC, SINGLE, HYPERBOLIC, SINGLE], 5, 1.4, recipe)
+
+
+def basket_arch(recipe: Recipe) -> Composite:
+    """Return a vault of three radii between two plates."""
+    pieces = [(0.8, 0.0), (0.3, -1 / 0.5), (1.0, -1 / 2.0), (0.3, -1 / 0.5), (0.8, 0.0)]
+    return extruded(pieces, [FLAT, SINGLE, SINGLE, SINGLE, FLAT], 3, 2.5, recipe)
+
+
+def ogee(recipe: Recipe) -> Composite:
+    """Return two parallel plates that an S of two cylinders joins."""
+    pieces = [(1.0, 0.0), (0.54, -1 / 0.6), (0.54, 1 / 0.6), (1.0, 0.0)]
+    return extruded(pieces, [FLAT, SINGLE, SINGLE, FLAT], 3, 2.0, recipe)
+
+
+def shoulder(recipe: Recipe) -> Composite:
+    """Return a cylinder that a dome narrows to a short cone."""
+    a = np.radians(60)
+    pieces = [(1.0, 0.0), (0.7 * a, -1 / 0.7), (0.3, 0.0)]
+    return revolved(pieces, [SINGLE, ELLIPTIC, SINGLE], 3, 1.2, recipe)

@@ -4,17 +4,20 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 from architectural_curvature.addon.geometry.cleaning.continuation import continue_surface
 from architectural_curvature.addon.geometry.cleaning.sizes import default_min_area
 from architectural_curvature.addon.geometry.criterion import panel_criterion
+from architectural_curvature.addon.geometry.curvature import Curvature, estimate_curvature
 from architectural_curvature.addon.geometry.mesh import mesh_from_polygons
 from architectural_curvature.addon.geometry.outlines.borders import trace_borders
 from architectural_curvature.addon.geometry.segmentation import Segmentation, segment
-from architectural_curvature.addon.geometry.surface import build_surface
+from architectural_curvature.addon.geometry.surface import Surface, build_surface
 from architectural_curvature.addon.geometry.tolerance import Tolerance
-from curvatures import given_curvature
+from composites.profiles import profile_points
 from numpy.typing import NDArray
 from solids import grid
 
@@ -25,9 +28,22 @@ PLATE = build_surface(mesh_from_polygons(*grid(lambda u, v: (24 * u, 4 * v, 0.0)
 COLUMN = np.arange(96) // 4
 
 
-def _segmented(curvature: float, min_area: float = 0.0) -> Segmentation:
-    k1 = np.where(COLUMN == 12, curvature, 0.0)
-    return segment(PLATE, given_curvature(PLATE, k1, 0.0), TOLERANCE, min_area)
+#: Two plates of 4 m and a fillet of a meter between them, 4 m deep, in cells of a quarter.
+PROFILE = [(4.0, 0.0), (1.0, 1.5), (4.0, 0.0)]
+
+
+@cache
+def _folded() -> tuple[Surface, Curvature]:
+    across, up = profile_points(PROFILE, np.linspace(0.0, 9.0, 37))[0].T
+    vertices, polygons = grid(
+        lambda u, v: (across[round(36 * u)], 4.0 * v, up[round(36 * u)]), (36, 16)
+    )
+    surface = build_surface(mesh_from_polygons(vertices, polygons))
+    return surface, estimate_curvature(surface)
+
+
+def _segmented(min_area: float = 0.0) -> Segmentation:
+    return segment(*_folded(), TOLERANCE, min_area)
 
 
 def test_a_panel_is_the_least_area_but_no_more_than_a_share_of_the_model() -> None:
@@ -36,14 +52,16 @@ def test_a_panel_is_the_least_area_but_no_more_than_a_share_of_the_model() -> No
 
 
 def test_a_fillet_stays_though_it_is_narrower_than_a_panel() -> None:
-    assert 1 in _segmented(1.5).regions.region_class
+    regions = _segmented().regions
+    assert regions.region_class.tolist() == [0, 0, 1]
+    assert regions.area[2] == pytest.approx(4.0, rel=0.01)
 
 
 def test_a_least_area_that_is_asked_for_spares_nothing() -> None:
-    plain = _segmented(1.5).regions
+    plain = _segmented().regions
     (area,) = plain.area[plain.region_class == 1]
-    assert 1 in _segmented(1.5, min_area=0.99 * area).regions.region_class
-    assert _segmented(1.5, min_area=1.01 * area).regions.region_class.tolist() == [0]
+    assert 1 in _segmented(min_area=0.99 * area).regions.region_class
+    assert _segmented(min_area=1.01 * area).regions.region_class.tolist() == [0]
 
 
 @pytest.mark.parametrize(("bend_x", "bend_y"), [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)])

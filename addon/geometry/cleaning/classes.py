@@ -10,6 +10,7 @@ from ..absorption import absorb_small_regions
 from ..classification import SurfaceClass
 from ..criterion import Criterion
 from ..curvature import Curvature, with_sector_values
+from ..links import rim_sectors, sector_links
 from ..progress import part_of
 from ..regions import connect_regions
 from ..surface import Surface
@@ -17,7 +18,9 @@ from ..types import Flags, Floats, Indices, Progress
 from .developability import reject_bent_rulings
 from .labels import FaceCurvature, label_faces, seam_evidence
 from .necks import split_at_necks
-from .sides import side_evidence
+from .piece_evidence import PieceCosts, piece_costs
+from .pieces import find_pieces
+from .sides import class_of_sectors, side_evidence
 from .sizes import default_min_area, worth_telling
 
 #: How often borders are looked at from their sides, unless no more than this share of the polygons
@@ -70,8 +73,9 @@ def clean_classes(
     labels = label_faces(
         surface, faces, criterion, evidence, locked, part_of(on_progress, 0.2, 0.4)
     )
+    on_pieces = _find_pieces(surface, curvature, labels, criterion, part_of(on_progress, 0.4, 0.6))
     labels = _look_at_borders(
-        surface, curvature, labels, (faces, criterion, evidence, locked), on_progress
+        surface, curvature, labels, (faces, criterion, evidence, locked), on_pieces, on_progress
     )
     is_kept = np.zeros(len(labels), dtype=np.bool_) if is_locked is None else is_locked
     if not min_area:
@@ -83,11 +87,34 @@ def clean_classes(
     bent = reject_bent_rulings(
         surface, sharp, labels, criterion.tolerance.panel_size, criterion.curvature_limit
     )
+    # Where a cylinder or cone is known there is nothing to measure, least of all on narrow strips.
+    bent &= ~on_pieces.has_rulings(labels)
     bent &= True if is_locked is None else ~is_locked
     double = np.where(faces.k1 * faces.k2 > 0.0, SurfaceClass.ELLIPTIC, SurfaceClass.HYPERBOLIC)
     labels = np.where(bent, double, labels).astype(np.int64)
     part_of(on_progress, 0.9, 1.0)(0.5)
-    return labels, split_at_necks(surface, labels, min_area, is_locked)
+    return labels, split_at_necks(surface, labels, min_area, is_locked, on_pieces.piece_of(labels))
+
+
+def _find_pieces(
+    surface: Surface,
+    curvature: Curvature,
+    labels: Indices,
+    criterion: Criterion,
+    on_progress: Progress,
+) -> PieceCosts:
+    pieces = find_pieces(
+        surface.sector_position,
+        curvature.normal,
+        sector_links(surface),
+        np.where(curvature.is_defined, class_of_sectors(surface, labels), -1),
+        curvature.mean,
+        rim_sectors(surface),
+        curvature.noise,
+        criterion.curvature_limit,
+        on_progress,
+    )
+    return piece_costs(surface, pieces, criterion)
 
 
 def _look_at_borders(
@@ -95,18 +122,24 @@ def _look_at_borders(
     curvature: Curvature,
     labels: Indices,
     how: tuple[FaceCurvature, Criterion, tuple[Floats, Flags], Indices | None],
+    on_pieces: PieceCosts,
     on_progress: Progress | None,
 ) -> Indices:
-    """Move borders to where the surfaces on their two sides, continued, part."""
+    """Move borders to where pieces end, or where the surfaces on their two sides part."""
     faces, criterion, evidence, locked = how
+    is_settled = on_pieces.is_settled
+    if on_pieces.is_near.any():
+        labels = label_faces(surface, faces, criterion, evidence, locked, None, None, on_pieces)
     sides: tuple[Floats, Flags] | None = None
     for look in range(_LOOKS):
-        start, end = (0.4 + 0.4 * step / _LOOKS for step in (look, look + 1))
-        found = side_evidence(surface, curvature, labels, criterion.curvature_limit)
+        start, end = (0.6 + 0.2 * step / _LOOKS for step in (look, look + 1))
+        found = side_evidence(surface, curvature, labels, criterion.curvature_limit, is_settled)
         part_of(on_progress, start, end)(0.6)
+        if not found[1].any():
+            break
         sides = found if sides is None else _clearest(found, sides)
         before, advance = labels, part_of(on_progress, 0.4 * start + 0.6 * end, end)
-        labels = label_faces(surface, faces, criterion, evidence, locked, advance, sides)
+        labels = label_faces(surface, faces, criterion, evidence, locked, advance, sides, on_pieces)
         if (before != labels).sum() <= _SETTLED * found[1].sum():
             break
     return labels

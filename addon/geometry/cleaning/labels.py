@@ -15,6 +15,7 @@ from ..links import sector_links, smooth_links
 from ..surface import Surface
 from ..types import Flags, Floats, Indices, Progress
 from .likelihood import class_costs
+from .piece_evidence import PieceCosts
 from .potts import PottsProblem, minimize_potts
 from .seams import NO_MODEL, find_seams
 
@@ -58,6 +59,7 @@ def label_faces(
     fixed: Indices | None = None,
     on_progress: Progress | None = None,
     sides: tuple[Floats, Flags] | None = None,
+    on_pieces: PieceCosts | None = None,
 ) -> Indices:
     """Return the class of every polygon: the labels of least energy.
 
@@ -77,6 +79,9 @@ def label_faces(
         Classes given by the user; -1 where free.
     on_progress : callable, optional
         Receives the share of the work that is done.
+    sides : pair of (m, 4) float64 and (m,) bool, optional
+        What `side_evidence` says.
+    on_pieces : PieceCosts, optional
 
     Returns
     -------
@@ -98,8 +103,11 @@ def label_faces(
             + np.minimum(cost, _BLURRED) * np.where(faces.is_smoothed, 0.1, 1.0)[:, None]
         )
         cost = np.where(is_told[:, None], told, cost)
+    if on_pieces is not None:
+        # Either a polygon lies on a piece, or on what no primitive describes.
+        cost = on_pieces.combined(cost)
     links, length = smooth_links(surface)
-    known = faces.is_defined[links].all(axis=1)
+    known = faces.is_defined[links[:, 0]] & faces.is_defined[links[:, 1]]
     links, length = links[known], length[known]
     panel = max(criterion.tolerance.panel_size, _LEAST_EDGES * _typical_edge(length))
     problem = PottsProblem(

@@ -3,7 +3,7 @@
 """Necks: regions that hang together by a few edges only are different regions.
 
 Where four regions meet in a point, a triangulation happens to join one opposite pair or the other
-by a single edge. A region count must not depend on that.
+by a single edge, and noise by a few. A region count must not depend on that.
 """
 
 from __future__ import annotations
@@ -16,14 +16,18 @@ from ..surface import Surface
 from ..types import Flags, Floats, Indices
 
 #: A neck this narrow, as a share of the mean width of the narrower part, joins nothing …
-_NECK = 0.35
+_NECK = 0.5
 
-#: … and neither does one of this many edges, if the parts are wider.
+#: … if it has no more than so many edges, or if the parts are known to be different surfaces.
 _NECK_EDGES = 2.5
 
 
 def split_at_necks(
-    surface: Surface, face_class: Indices, min_area: float, is_locked: Flags | None = None
+    surface: Surface,
+    face_class: Indices,
+    min_area: float,
+    is_locked: Flags | None = None,
+    face_piece: Indices | None = None,
 ) -> Indices:
     """Return connected parts of one class, cut where they are tied by a narrow neck.
 
@@ -35,6 +39,8 @@ def split_at_necks(
         Parts below this area in m² are not cut off.
     is_locked : (m,) bool, optional
         Polygons that stay together where they touch, however narrow the neck.
+    face_piece : (m,) int64, optional
+        The surface that each polygon lies on, -1 where unknown.
 
     Returns
     -------
@@ -46,8 +52,10 @@ def split_at_necks(
     inner, inner_length = links[same], length[same]
     count = len(face_class)
     whole = connected_groups(inner, count)
+    if face_piece is None:
+        face_piece = np.full(count, -1, dtype=np.int64)
     core = _inner_faces(surface, links[~same], face_class)
-    both = core[inner].all(axis=1)
+    both = core[inner].all(axis=1) & (face_piece[inner[:, 0]] == face_piece[inner[:, 1]])
     part = connected_groups(inner[both], count)
     part_area = sum_by_group(part, np.where(core, surface.polygon_area, 0.0), count)
     is_large = part_area >= 0.25 * min_area
@@ -65,7 +73,11 @@ def split_at_necks(
     narrow = np.minimum(width[pairs[:, 0]], width[pairs[:, 1]])
     smaller = np.minimum(area[pairs[:, 0]], area[pairs[:, 1]])
     edge = float(np.median(length)) if len(length) else 0.0
-    is_neck = (neck < _NECK * narrow) & (neck < _NECK_EDGES * edge) & (smaller >= min_area)
+    lies_on = np.full(2 * count, -1, dtype=np.int64)
+    lies_on[part[core]] = face_piece[core]
+    one, other = lies_on[names[pairs]].T
+    is_short = (neck < _NECK_EDGES * edge) | ((one != other) & (one >= 0) & (other >= 0))
+    is_neck = (neck < _NECK * narrow) & is_short & (smaller >= min_area)
     tied = pairs[~is_neck]
     if is_locked is not None:
         tied = np.concatenate([tied, piece[inner[is_locked[inner].all(axis=1)]]])

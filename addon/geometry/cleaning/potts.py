@@ -130,10 +130,10 @@ def _expand(problem: PottsProblem, labels: Indices, label: int, is_free: Flags) 
     number[moving] = np.arange(len(moving))
     keep = problem.cost[moving, labels[moving]]
     change = problem.cost[moving, label]
-    touching = is_moving[problem.links].any(axis=1)
+    touching = is_moving[problem.links[:, 0]] | is_moving[problem.links[:, 1]]
     links, weight = problem.links[touching], problem.weight[touching]
     one, other = links[:, 0], links[:, 1]
-    both = is_moving[links].all(axis=1)
+    both = is_moving[one] & is_moving[other]
 
     # One end cannot move: the cost falls on the other end alone.
     for own, neighbor in ((one, other), (other, one)):

@@ -252,5 +252,6 @@ def range_around(links: Indices, values: Floats) -> Floats:
 def erode(links: Indices, chosen: Flags) -> Flags:
     """Return the chosen places whose neighbors are all chosen."""
     result = chosen.copy()
-    result[links[~chosen[links].all(axis=1)].reshape(-1)] = False
+    is_out = ~(chosen[links[:, 0]] & chosen[links[:, 1]])
+    result[links[is_out].reshape(-1)] = False
     return result

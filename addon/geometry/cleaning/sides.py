@@ -46,7 +46,11 @@ _CLASSES = 4
 
 
 def side_evidence(
-    surface: Surface, curvature: Curvature, face_class: Indices, limit: float
+    surface: Surface,
+    curvature: Curvature,
+    face_class: Indices,
+    limit: float,
+    is_settled: Flags | None = None,
 ) -> tuple[Floats, Flags]:
     """Return what the sides of borders say about the polygons beside them.
 
@@ -59,6 +63,8 @@ def side_evidence(
         Classes whose borders are about right.
     limit : float
         Curvature limit in 1/m: a jump well below it is none.
+    is_settled : (m,) bool, optional
+        Polygons that need not be asked.
 
     Returns
     -------
@@ -69,12 +75,17 @@ def side_evidence(
     """
     sector, start = surface.corner_sector, surface.mesh.polygon_start[:-1]
     links = sector_links(surface)
-    place_class = _class_of_sectors(surface, face_class)
+    place_class = class_of_sectors(surface, face_class)
     band = place_class < 0
     for _ in range(RINGS):
         band = _grown(links, band)
     band &= curvature.is_defined
-    asked = np.flatnonzero(band)
+    asks = band.copy()
+    if is_settled is not None:
+        asks[:] = False
+        asks[sector[~is_settled[surface.mesh.corner_polygon]]] = True
+        asks &= band
+    asked = np.flatnonzero(asks)
     cost = np.zeros((len(face_class), _CLASSES))
     if not len(asked):
         return cost, np.zeros(len(face_class), dtype=np.bool_)
@@ -123,7 +134,7 @@ def _classes_around(surface: Surface, links: Indices, face_class: Indices) -> Fl
     return around
 
 
-def _class_of_sectors(surface: Surface, face_class: Indices) -> Indices:
+def class_of_sectors(surface: Surface, face_class: Indices) -> Indices:
     """Return the class of all polygons at a sector, -1 where they differ or have none."""
     label = face_class[surface.mesh.corner_polygon]
     order = np.argsort(surface.corner_sector, kind="stable")
@@ -136,7 +147,7 @@ def _class_of_sectors(surface: Surface, face_class: Indices) -> Indices:
 
 def _grown(links: Indices, chosen: Flags) -> Flags:
     result = chosen.copy()
-    result[links[chosen[links].any(axis=1)].reshape(-1)] = True
+    result[links[chosen[links[:, 0]] | chosen[links[:, 1]]].reshape(-1)] = True
     return result
 
 
@@ -159,7 +170,11 @@ def _ask(
     reach = np.bincount(links.reshape(-1), np.repeat(length, 2), surface.sector_count)
     reach = _REACH * reach / np.maximum(many, 1)
     is_source = ~band & (place_class >= 0) & curvature.is_defined
-    alike = is_source[links].all(axis=1) & (place_class[links[:, 0]] == place_class[links[:, 1]])
+    alike = (
+        is_source[links[:, 0]]
+        & is_source[links[:, 1]]
+        & (place_class[links[:, 0]] == place_class[links[:, 1]])
+    )
     piece = connected_groups(links[alike], surface.sector_count)
     off = np.full((len(asked), _CLASSES), np.inf)
     deviation = np.full((len(asked), _CLASSES), np.inf)
