@@ -12,7 +12,7 @@ from bpy.props import BoolProperty, StringProperty
 from bpy.types import Context, Event
 
 
-def file_path(endings: Iterable[str]) -> StringProperty:
+def file_path(endings: Iterable[str]) -> object:
     """Return the property of a file to write in one of several formats."""
     *others, last = endings
     return StringProperty(
@@ -23,7 +23,7 @@ def file_path(endings: Iterable[str]) -> StringProperty:
     )
 
 
-def file_filter(endings: Iterable[str]) -> StringProperty:
+def file_filter(endings: Iterable[str]) -> object:
     """Return the property that tells the file browser which files to list."""
     return StringProperty(
         name="Filter",
