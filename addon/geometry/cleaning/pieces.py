@@ -30,6 +30,8 @@ _CORE = 0.5
 _ENOUGH, _SEEDS = 400, 4
 #: The largest regions are asked, so many at most: each costs some milliseconds.
 _MOST = 300
+#: Regions in a row without a piece after which no smaller one is asked: a free form has none.
+_HOPELESS = 12
 #: A seed whose region is explained up to this share of its core is the last.
 _REST = 0.2
 #: Doubt about a piece's curvature, as a share of the limit, above which it says nothing about
@@ -151,11 +153,16 @@ def _pieces_inside(
     start = np.concatenate([[0], np.cumsum(sizes)])
     pieces: list[Piece] = []
     largest = np.argsort(-sizes, kind="stable")[:_MOST].tolist()
+    in_vain = 0
     for done, at in enumerate(largest):
         on_progress(done / len(largest))
         if names[at] >= 0 and sizes[at] >= FEWEST:
             core = _core(order[start[at] : start[at + 1]], depth)
-            pieces += _pieces_of(places, core, depth, taken, doubt)
+            found = _pieces_of(places, core, depth, taken, doubt)
+            pieces += found
+            in_vain = 0 if found else in_vain + 1
+        if in_vain >= _HOPELESS:
+            break
     return pieces
 
 
