@@ -12,6 +12,7 @@ curvature itself says stays.
 from __future__ import annotations
 
 import itertools
+from dataclasses import fields
 
 import numpy as np
 
@@ -43,6 +44,8 @@ _GRADUAL = 0.35
 #: Heights of the two sides are told apart to this share of the larger.
 _RESOLUTION = 0.1
 _CLASSES = 4
+#: Places at a time: what is computed of them stays in the processor's cache.
+_CHUNK = 512
 
 
 def side_evidence(
@@ -199,9 +202,35 @@ def _continue_side(
     reach: Floats,
 ) -> Continuation:
     """Continue the nearest piece of a side to places."""
-    position, reach = surface.sector_position, reach[asked, None]
+    position, reach = surface.sector_position, reach[asked]
     distance, near = nearest(position[source], position[asked], _POINTS, np.inf)
-    points = source[near]
+    parts = [
+        _continued(
+            surface,
+            curvature,
+            asked[part],
+            (source[near[part]], distance[part]),
+            piece,
+            reach[part, None],
+        )
+        for part in np.split(np.arange(len(asked)), range(_CHUNK, len(asked), _CHUNK))
+    ]
+    names = [field.name for field in fields(Continuation)]
+    return Continuation(
+        *(np.concatenate([getattr(part, name) for part in parts]) for name in names)
+    )
+
+
+def _continued(
+    surface: Surface,
+    curvature: Curvature,
+    asked: Indices,
+    near: tuple[Indices, Floats],
+    piece: Indices,
+    reach: Floats,
+) -> Continuation:
+    """Continue the piece that the nearest of points and distances (p, c) lies on."""
+    position, (points, distance) = surface.sector_position, near
     facing = np.einsum("pj,pcj->pc", curvature.normal[asked], curvature.normal[points])
     is_used = (piece[points] == piece[points[:, :1]]) & (distance < reach) & (facing > _FACING)
     is_used &= distance[:, :1] < _NEAREST * reach
