@@ -152,6 +152,7 @@ def _grown(places: Places, seed: Indices, kind: Kind) -> Piece | None:
             # Places on a curve, or on the two of a strip, lie on many surfaces.
             if places.is_rim[places.inner(fitted)].all() or _is_gradual(places, fitted, primitive):
                 return None
+            scatter = max(scatter, places.least)
             return Piece(primitive, members, scatter, _doubt(places.position[members], scatter))
         largest = len(members)
     return None
@@ -178,7 +179,8 @@ def _noise_left(places: Places, members: Indices, primitive: Primitive) -> float
     freedom = max(len(members) - primitive.kind.value, 1)
     scatter = float(np.sqrt((height * height).sum() / freedom))
     if scatter <= places.exact:
-        return places.least
+        # What lies beyond a seam leaves by more than rounding at once.
+        return places.exact
     if scatter > places.most:
         return None
     number = np.full(len(places.position), -1, dtype=np.int64)
