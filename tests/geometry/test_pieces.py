@@ -66,6 +66,14 @@ def test_a_rounded_box_has_six_planes_twelve_cylinders_and_eight_spheres(
     np.testing.assert_allclose(radii, 0.35, rtol=0.02 if noise else 1e-9)
 
 
+@pytest.mark.parametrize("count", [10_000, 80_000])
+def test_a_bent_pipe_is_two_cylinders_and_a_torus_however_fine(count: int) -> None:
+    """Rows beside a seam leave the other side by less than what moves borders, if they are fine."""
+    pieces = _pieces(COMPOSITES["pipe elbow"](Recipe(count=count)))
+    found = Counter(piece.primitive.kind for piece in pieces)
+    assert found == {Kind.CYLINDER: 2, Kind.TORUS: 1}
+
+
 @pytest.mark.parametrize("noise", [0.0, NOISE])
 def test_a_silo_is_a_cone_a_torus_and_a_cylinder(noise: float) -> None:
     shape = COMPOSITES["silo"](Recipe(kind="triangles", noise=noise))
