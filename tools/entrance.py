@@ -117,8 +117,9 @@ def _parser() -> argparse.ArgumentParser:
     ).set_defaults(run=_presets)
 
     pictures = commands.add_parser(
-        "pictures", help="render curvature lines on models into docs/pictures"
+        "pictures", help="draw models or the report of one into docs/pictures"
     )
+    pictures.add_argument("kind", choices=("lines", "hatching", "report"))
     pictures.add_argument("models", nargs="*", type=Path, metavar="MODEL")
     pictures.add_argument("--spacing", type=float, metavar="M", help="between the lines")
     pictures.add_argument("--up", choices=("Y", "Z"), help="axis of the models that points up")
@@ -206,7 +207,7 @@ def _wheels(_options: argparse.Namespace) -> int:
 def _pictures(options: argparse.Namespace) -> int:
     from . import pictures
 
-    for path in pictures.write(options.models, options.spacing, options.up):
+    for path in pictures.write(options.kind, options.models, options.spacing, options.up):
         print(path.relative_to(ROOT))
     return 0
 

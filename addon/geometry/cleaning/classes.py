@@ -10,7 +10,8 @@ from ..absorption import absorb_small_regions
 from ..classification import SurfaceClass
 from ..criterion import Criterion
 from ..curvature import Curvature, with_sector_values
-from ..links import rim_sectors, sector_links
+from ..groups import connected_groups, sum_by_group
+from ..links import rim_sectors, sector_links, smooth_links
 from ..progress import part_of
 from ..regions import connect_regions
 from ..surface import Surface
@@ -90,10 +91,26 @@ def clean_classes(
     # Where a cylinder or cone is known there is nothing to measure, least of all on narrow strips.
     bent &= ~on_pieces.has_rulings(labels)
     bent &= True if is_locked is None else ~is_locked
-    double = np.where(faces.k1 * faces.k2 > 0.0, SurfaceClass.ELLIPTIC, SurfaceClass.HYPERBOLIC)
-    labels = np.where(bent, double, labels).astype(np.int64)
+    labels = _without_bent(surface, faces, labels, bent, criterion.tolerance.panel_size)
     part_of(on_progress, 0.9, 1.0)(0.5)
     return labels, split_at_necks(surface, labels, min_area, is_locked, on_pieces.piece_of(labels))
+
+
+def _without_bent(
+    surface: Surface, faces: FaceCurvature, labels: Indices, bent: Flags, panel_size: float
+) -> Indices:
+    """Return the labels with dome or saddle where rulings are bent, one for each connected part.
+
+    One polygon's K is zero but for noise. Parts smaller than a panel stay single-curved: rulings
+    are straight or not over the length of a panel.
+    """
+    links, _ = smooth_links(surface)
+    group = connected_groups(links[bent[links[:, 0]] & bent[links[:, 1]]], len(bent))
+    area = surface.polygon_area
+    bend = sum_by_group(group, area * faces.k1 * faces.k2, len(bent))[group]
+    is_told = bent & (sum_by_group(group, area, len(bent))[group] >= panel_size**2)
+    double = np.where(bend > 0.0, SurfaceClass.ELLIPTIC, SurfaceClass.HYPERBOLIC)
+    return np.where(is_told, double, labels).astype(np.int64)
 
 
 def _find_pieces(
