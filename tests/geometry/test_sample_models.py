@@ -134,3 +134,15 @@ def _is_alike_around(surface: Surface, values: NDArray[np.int64], rings: int) ->
         np.maximum.at(highest, corner_sector, high[:, None])
         low, high = lowest[corner_sector].min(axis=1), highest[corner_sector].max(axis=1)
     return low == high
+
+
+@models
+def test_nearly_all_of_the_area_has_the_exact_class(name: str) -> None:
+    surface, points = _surface(name), _points(name)
+    tolerance = resolve_tolerance(0.0, 0.0, surface.mesh.diagonal)
+    found = segment(surface, estimate_curvature(surface), tolerance).face_class
+    middle = surface.mesh.vertices[surface.mesh.corner_vertex].reshape(-1, 4, 3).mean(axis=1)
+    _, nearest = cKDTree(points.position).query(middle)
+    is_right = found == points.classes(tolerance.curvature_limit)[nearest]
+    # What is asked of all clean composites.
+    assert surface.polygon_area[is_right].sum() >= 0.99 * surface.polygon_area.sum()
