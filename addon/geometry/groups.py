@@ -37,3 +37,17 @@ def connected_groups(pairs: Indices, count: int) -> Indices:
 def sum_by_group(groups: Indices, values: Floats, count: int) -> Floats:
     """Return the sum of the values of every group, (count,) float64."""
     return np.bincount(groups, values, count).astype(np.float64, copy=False)
+
+
+def ranges(start: Indices, chosen: Indices) -> Indices:
+    """Return all numbers from start[i] to start[i + 1] of chosen i, one after the other.
+
+    Parameters
+    ----------
+    start : (n + 1,) int64
+        Where the rows of a table of different lengths start.
+    chosen : (c,) int64
+        Rows.
+    """
+    many = start[chosen + 1] - start[chosen]
+    return np.arange(int(many.sum())) + np.repeat(start[chosen] - np.cumsum(many) + many, many)

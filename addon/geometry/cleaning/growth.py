@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..groups import ranges
 from ..primitives.fits import first_guesses, refine
 from ..primitives.residuals import correlates, has_shape
 from ..primitives.shapes import Kind, Primitive
@@ -78,10 +79,7 @@ class Places:
         """Return all neighbors of places, and the number of the place each belongs to."""
         many = self.start[places + 1] - self.start[places]
         owner = np.repeat(np.arange(len(places)), many)
-        first = np.cumsum(many) - many
-        return self.neighbor[
-            np.arange(len(owner)) - first[owner] + self.start[places][owner]
-        ], owner
+        return self.neighbor[ranges(self.start, places)], owner
 
     def flags(self, chosen: Indices) -> Flags:
         """Return which places are chosen, (s,) bool."""

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..criterion import Criterion
+from ..groups import ranges
 from ..primitives.shapes import Kind
 from ..surface import Surface
 from ..types import Flags, Floats, Indices
@@ -99,7 +100,7 @@ def piece_costs(surface: Surface, pieces: Sequence[Piece], criterion: Criterion)
 
     def touching(sectors: Indices) -> Indices:
         """Return the polygons with a corner at one of the sectors."""
-        flags[mesh.corner_polygon[order[_ranges(first_of, sectors)]]] = True
+        flags[mesh.corner_polygon[order[ranges(first_of, sectors)]]] = True
         found = np.flatnonzero(flags)
         flags[found] = False
         return found
@@ -107,8 +108,8 @@ def piece_costs(surface: Surface, pieces: Sequence[Piece], criterion: Criterion)
     for number, piece in enumerate(pieces):
         is_on[piece.members] = True
         # Members, and one ring around them.
-        faces = touching(sector[_ranges(mesh.polygon_start, touching(piece.members))])
-        corner = _ranges(mesh.polygon_start, faces)
+        faces = touching(sector[ranges(mesh.polygon_start, touching(piece.members))])
+        corner = ranges(mesh.polygon_start, faces)
         many = corners[faces]
         first = np.cumsum(many) - many
         position = surface.sector_position[sector[corner]]
@@ -129,9 +130,3 @@ def piece_costs(surface: Surface, pieces: Sequence[Piece], criterion: Criterion)
     return PieceCosts(
         cost, best, is_near, is_settled, _STRANGER * corners, np.array([*is_ruled, False])
     )
-
-
-def _ranges(start: Indices, chosen: Indices) -> Indices:
-    """Return all numbers from start[i] to start[i + 1] of chosen i."""
-    many = start[chosen + 1] - start[chosen]
-    return np.arange(int(many.sum())) + np.repeat(start[chosen] - np.cumsum(many) + many, many)
