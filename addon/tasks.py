@@ -22,7 +22,6 @@ from .bridge.separation import discard_parts
 from .bridge.subject import (
     Reading,
     Subject,
-    carrier_of,
     discard_carrier,
     prepare_carrier,
     read_object,
@@ -140,7 +139,7 @@ def segment_objects(
         source = reading.source
         edits[source.name_full] = given or read_edits(reading)
         # Curves of the regions before would lie among other regions afterwards.
-        shown[source.name_full] = shown_outlines(source, carrier_of(source))
+        shown[source.name_full] = shown_outlines(source)
 
     def compute(
         reading: Reading, on_progress: Progress

@@ -55,18 +55,20 @@ def write_outline(
     rows = carrier.data.curvature.outlines
     row = next((row for row in rows if row.kind == kind), None) or rows.add()
     row.kind, row.curves, row.length = kind, curves.count, float(curves.lengths.sum())
-    row.tolerance, row.straighten = settings.tolerance, settings.is_straight
-    row.include_rims = settings.include_rims
     thickness = _THICKNESS[kind] * subject.analysis.surface.mesh.diagonal
-    return write_curves(subject, carrier, lines, kind, thickness, scene)
+    obj = write_curves(subject, carrier, lines, kind, thickness, scene)
+    kept = obj.curvature
+    kept.tolerance, kept.straighten = settings.tolerance, settings.is_straight
+    kept.include_rims = settings.include_rims
+    return obj
 
 
-def shown_outlines(source: Object, carrier: Object) -> list[OutlineSettings]:
+def shown_outlines(source: Object) -> list[OutlineSettings]:
     """Return how the curves were traced that a model is shown with."""
+    found = [each.curvature for each in companions(source, _KEYS)]
     return [
-        OutlineSettings(row.kind, as_typed(row.tolerance), row.straighten, row.include_rims)
-        for row in carrier.data.curvature.outlines
-        if companions(source, (row.kind,))
+        OutlineSettings(kept.role, as_typed(kept.tolerance), kept.straighten, kept.include_rims)
+        for kept in found
     ]
 
 

@@ -8,6 +8,7 @@ import bpy
 from bpy.props import (
     BoolProperty,
     CollectionProperty,
+    FloatProperty,
     PointerProperty,
     StringProperty,
 )
@@ -42,6 +43,13 @@ class CURVATURE_PG_object(PropertyGroup):
         description="Object whose lines, borders, umbilics or hatching this object shows",
     )
     role: StringProperty(name="Role", description="What this object shows of its model")
+    tolerance: FloatProperty(
+        name="Tolerance", description="How far borders were moved at most, in meters"
+    )
+    straighten: BoolProperty(name="Straighten", description="Whether borders were straightened")
+    include_rims: BoolProperty(
+        name="Include Rims", description="Whether the edges of the surface count as borders"
+    )
     slots: CollectionProperty(
         type=CURVATURE_PG_slot, name="Slots", description="Materials to bring back"
     )

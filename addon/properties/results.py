@@ -62,13 +62,6 @@ class CURVATURE_PG_curves(PropertyGroup):
     kind: EnumProperty(name="Kind", description="What the curves follow", items=OUTLINE_ITEMS)
     curves: IntProperty(name="Curves", description="Number of curves")
     length: FloatProperty(name="Length", description="Length of all curves together in meters")
-    tolerance: FloatProperty(
-        name="Tolerance", description="How far borders were moved at most, in meters"
-    )
-    straighten: BoolProperty(name="Straighten", description="Whether borders were straightened")
-    include_rims: BoolProperty(
-        name="Include Rims", description="Whether the edges of the surface count as borders"
-    )
 
 
 class CURVATURE_PG_results(PropertyGroup):

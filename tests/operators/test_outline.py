@@ -172,13 +172,18 @@ def test_lengths_are_in_the_report(tmp_path: Path) -> None:
     assert "parabolic_curves,length" in (tmp_path / "report.csv").read_text(encoding="utf-8")
 
 
-def test_curves_are_drawn_anew_when_the_regions_change() -> None:
+@pytest.mark.parametrize("is_analyzed_first", [False, True])
+def test_curves_are_drawn_anew_when_the_regions_change(is_analyzed_first: bool) -> None:
     obj = add_folded_roof()
     bpy.ops.curvature.segment()
     bpy.ops.curvature.outline(kind="BORDERS", include_rims=True, straighten=False)
     for vertex in obj.data.vertices:
         vertex.co.y *= 2.0
     obj.data.update()
+    if is_analyzed_first:
+        # That forgets the regions, but not how their borders are drawn.
+        bpy.ops.curvature.analyze()
+        assert not obj.data.curvature.outlines
     bpy.ops.curvature.segment()
     (row,) = obj.data.curvature.outlines
     # Ridge and eaves are 4 m long now; four gable edges rise at 45 degrees over 1 m.
