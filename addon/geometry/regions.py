@@ -26,7 +26,7 @@ class Regions:
     region_class : (r,) int64
         `SurfaceClass` of every region.
     area : (r,) float64
-        In m².
+        In m²; see `measured_along_borders` for what polygons across a border count.
     face_count : (r,) int64
         Number of polygons.
     boundary_length : (r,) float64
@@ -85,6 +85,22 @@ def connect_regions(
         area=area[order],
         face_count=np.bincount(face_region[is_defined], minlength=count),
         boundary_length=_boundary_lengths(surface, face_region, count),
+    )
+
+
+def with_areas(regions: Regions, area: Floats) -> Regions:
+    """Return regions with other areas, (r,) float64 in m², numbered anew by falling area."""
+    order = np.argsort(-_rounded(area), kind="stable")
+    rank = np.empty(regions.count + 1, dtype=np.int64)
+    rank[order] = np.arange(regions.count)
+    # The last entry is the one that -1 looks up.
+    rank[-1] = -1
+    return Regions(
+        face_region=rank[regions.face_region],
+        region_class=regions.region_class[order],
+        area=area[order],
+        face_count=regions.face_count[order],
+        boundary_length=regions.boundary_length[order],
     )
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .classification import SurfaceClass
+from .cleaning.border_areas import measured_along_borders
 from .cleaning.classes import clean_classes
 from .cleaning.sizes import default_min_area
 from .criterion import Criterion, panel_criterion
@@ -25,7 +26,9 @@ from .types import Floats, Indices, Progress
 class ClassMeasure:
     """How much of a surface belongs to one class.
 
-    `area` in m²; `share` of the whole area, 0 to 1; `min_radius` in meters, None if flat.
+    `area` in m², up to the lines that borders stand for, also where they run through polygons;
+    `share` of the whole area, 0 to 1; `faces` whole polygons of the class; `min_radius` in meters,
+    None if flat.
     """
 
     area: float
@@ -101,12 +104,20 @@ def segment(
     """
     if isinstance(criterion, Tolerance):
         criterion = panel_criterion(criterion)
-    face_class, part = clean_classes(
+    clean = clean_classes(
         surface, curvature, criterion, min_area, locked, part_of(on_progress, 0.0, 0.95)
     )
+    face_class, part = clean.face_class, clean.part
     if cuts is not None:
         part = part * (int(cuts.max(initial=0)) + 1) + cuts
-    regions = connect_regions(surface, face_class, part)
+    regions = measured_along_borders(
+        surface,
+        curvature,
+        criterion,
+        connect_regions(surface, face_class, part),
+        clean.on_pieces,
+        None if locked is None else locked >= 0,
+    )
     size = np.maximum(np.abs(curvature.face_k1), np.abs(curvature.face_k2))
     return Segmentation(
         criterion=criterion,
@@ -127,9 +138,13 @@ def _measure_classes(
         of_class = face_class == surface_class
         areas = surface.polygon_area[of_class]
         is_curved = surface_class not in (SurfaceClass.UNDEFINED, SurfaceClass.FLAT)
+        if surface_class == SurfaceClass.UNDEFINED:
+            area = float(areas.sum())
+        else:
+            area = float(regions.area[regions.region_class == surface_class].sum())
         measures[surface_class] = ClassMeasure(
-            area=float(areas.sum()),
-            share=float(areas.sum()) / total,
+            area=area,
+            share=area / total,
             faces=int(of_class.sum()),
             regions=int((regions.region_class == surface_class).sum()),
             min_radius=smallest_radius(size[of_class], areas) if is_curved else None,

@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from ..absorption import absorb_small_regions
@@ -35,6 +37,25 @@ _CLEAR = 1.0
 _SPREAD = 0.05
 
 
+@dataclass(frozen=True)
+class CleanClasses:
+    """The class of every polygon, and what it rests on.
+
+    Parameters
+    ----------
+    face_class : (m,) int64
+        Values of `SurfaceClass`.
+    part : (m,) int64
+        Regions do not reach across parts: they differ at the two sides of a narrow neck.
+    on_pieces : PieceCosts
+        The surfaces that polygons lie on.
+    """
+
+    face_class: Indices
+    part: Indices
+    on_pieces: PieceCosts
+
+
 def clean_classes(
     surface: Surface,
     curvature: Curvature,
@@ -42,7 +63,7 @@ def clean_classes(
     min_area: float,
     locked: Indices | None = None,
     on_progress: Progress | None = None,
-) -> tuple[Indices, Indices]:
+) -> CleanClasses:
     """Return the class of every polygon, and the part of the surface that it belongs to.
 
     Parameters
@@ -61,10 +82,7 @@ def clean_classes(
 
     Returns
     -------
-    face_class : (m,) int64
-        Values of `SurfaceClass`.
-    part : (m,) int64
-        Regions do not reach across parts: they differ at the two sides of a narrow neck.
+    CleanClasses
     """
     is_locked = None if locked is None else locked >= 0
     k1, k2, evidence = seam_evidence(surface, curvature, criterion)
@@ -93,7 +111,8 @@ def clean_classes(
     bent &= True if is_locked is None else ~is_locked
     labels = _without_bent(surface, faces, labels, bent, criterion.tolerance.panel_size)
     part_of(on_progress, 0.9, 1.0)(0.5)
-    return labels, split_at_necks(surface, labels, min_area, is_locked, on_pieces.piece_of(labels))
+    part = split_at_necks(surface, labels, min_area, is_locked, on_pieces.piece_of(labels))
+    return CleanClasses(labels, part, on_pieces)
 
 
 def _without_bent(

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..criterion import Criterion
+from ..criterion import Criterion, classify_by
 from ..groups import ranges
 from ..primitives.shapes import Kind
 from ..surface import Surface
@@ -36,6 +36,9 @@ class PieceCosts:
         class; infinite without one.
     best : (m, 4) int64
         That piece, by number; -1 without one.
+    nearest : (m, 4) int64
+        The piece that the polygon's corners fit best of those that have the class there; -1
+        without one.
     is_near : (m,) bool
         Polygons on or beside a piece.
     is_settled : (m,) bool
@@ -44,14 +47,17 @@ class PieceCosts:
         What it costs to lie on none.
     is_ruled : (p + 1,) bool
         Pieces with straight rulings; False for none.
+    pieces : sequence of Piece
     """
 
     cost: Floats
     best: Indices
+    nearest: Indices
     is_near: Flags
     is_settled: Flags
     price: Floats
     is_ruled: Flags
+    pieces: Sequence[Piece]
 
     def has_rulings(self, face_class: Indices) -> Flags:
         """Return which polygons of given classes lie on planes, cylinders and cones, (m,) bool."""
@@ -92,6 +98,7 @@ def piece_costs(surface: Surface, pieces: Sequence[Piece], criterion: Criterion)
     count, corners = len(start), np.diff(mesh.polygon_start)
     cost = np.full((count, _CLASSES), np.inf)
     best = np.full((count, _CLASSES), -1, dtype=np.int64)
+    nearest, least = best.copy(), cost.copy()
     is_near = np.zeros(count, dtype=np.bool_)
     order = np.argsort(sector, kind="stable")
     first_of = np.concatenate([[0], np.cumsum(np.bincount(sector))])
@@ -125,8 +132,19 @@ def piece_costs(surface: Surface, pieces: Sequence[Piece], criterion: Criterion)
         best[faces] = np.where(is_better, number, best[faces])
         cost[faces] = np.where(is_better, by_class, cost[faces])
         is_near[faces] = True
+        own = classify_by(k1, k2, criterion, np.ones(len(faces), dtype=np.bool_))
+        closer = misfit < least[faces, own]
+        nearest[faces[closer], own[closer]] = number
+        least[faces[closer], own[closer]] = misfit[closer]
     is_settled = np.logical_and.reduceat(is_on[sector], start)
     is_ruled = [piece.primitive.kind in _RULED for piece in pieces]
     return PieceCosts(
-        cost, best, is_near, is_settled, _STRANGER * corners, np.array([*is_ruled, False])
+        cost=cost,
+        best=best,
+        nearest=nearest,
+        is_near=is_near,
+        is_settled=is_settled,
+        price=_STRANGER * corners,
+        is_ruled=np.array([*is_ruled, False]),
+        pieces=pieces,
     )
