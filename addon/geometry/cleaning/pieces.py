@@ -34,8 +34,8 @@ _MOST = 300
 _HOPELESS = 12
 #: A seed whose region is explained up to this share of its core is the last.
 _REST = 0.2
-#: Doubt about a piece's curvature, as a share of the limit, above which it says nothing about
-#: classes: what could hide in its noise is eight times as much.
+#: Doubt about a piece's curvature, as a share of how far it is from the limit, above which it says
+#: nothing about classes: what could hide in its noise is eight times as much.
 _HIDDEN = 1.0 / 16.0
 #: Noise of a piece may exceed that of the whole by this factor.
 _LOUD = 3.0
@@ -96,15 +96,14 @@ def find_pieces(
         least=_LEAST * edge,
         most=max(_LOUD * noise, _LEAST * edge),
     )
-    doubt = _HIDDEN * limit
     taken = np.zeros(len(position), dtype=np.bool_)
     place_class = _cut_where_bends_turn(links, place_class, mean)
     net = links, length
-    pieces = _pieces_inside(places, net, place_class, taken, doubt, part_of(on_progress, 0.0, 0.7))
+    pieces = _pieces_inside(places, net, place_class, taken, limit, part_of(on_progress, 0.0, 0.7))
     if pieces:
         # What no piece has taken may be one that the classes do not show.
         rest = np.where(taken, -1, 0)
-        pieces += _pieces_inside(places, net, rest, taken, doubt, part_of(on_progress, 0.7, 1.0))
+        pieces += _pieces_inside(places, net, rest, taken, limit, part_of(on_progress, 0.7, 1.0))
     return pieces
 
 
@@ -131,7 +130,7 @@ def _pieces_inside(
     net: tuple[Indices, Floats],
     place_class: Indices,
     taken: Flags,
-    doubt: float,
+    limit: float,
     on_progress: Progress,
 ) -> list[Piece]:
     """Return the pieces that grow from regions of one class, and mark what they take."""
@@ -158,7 +157,7 @@ def _pieces_inside(
         on_progress(done / len(largest))
         if names[at] >= 0 and sizes[at] >= FEWEST:
             core = _core(order[start[at] : start[at + 1]], depth)
-            found = _pieces_of(places, core, depth, taken, doubt)
+            found = _pieces_of(places, core, depth, taken, limit)
             pieces += found
             in_vain = 0 if found else in_vain + 1
         if in_vain >= _HOPELESS:
@@ -174,7 +173,7 @@ def _core(group: Indices, depth: Floats) -> Indices:
 
 
 def _pieces_of(
-    places: Places, core: Indices, depth: Floats, taken: Flags, doubt: float
+    places: Places, core: Indices, depth: Floats, taken: Flags, limit: float
 ) -> list[Piece]:
     """Return the pieces that grow from a region's core, and mark what they take."""
     pieces: list[Piece] = []
@@ -191,7 +190,16 @@ def _pieces_of(
         seed = places.spread(np.array([deepest]), is_free, _ENOUGH)
         is_open[seed] = False
         piece = grow_piece(places, seed) if len(seed) >= FEWEST else None
-        if piece is not None and piece.doubt <= doubt:
+        if piece is not None and piece.doubt <= _HIDDEN * _clearance(places, piece, limit):
             taken[piece.members] = True
             pieces.append(piece)
     return pieces
+
+
+def _clearance(places: Places, piece: Piece, limit: float) -> float:
+    """Return how far the principal curvatures of a piece are from the limit, in 1/m.
+
+    No less than the limit itself: a torus crosses it, and a class that changes there is told by it.
+    """
+    bends = np.abs(piece.primitive.bends(places.position[piece.members]))
+    return max(limit, float(np.median(np.abs(bends - limit).min(axis=0))))
