@@ -15,8 +15,9 @@ from ..primitives.residuals import correlates, has_shape
 from ..primitives.shapes import Kind, Primitive
 from ..types import Flags, Floats, Indices
 
-#: Fewest points that a primitive is fitted to.
-FEWEST = 24
+#: Fewest points that a primitive is fitted to, for each of its degrees of freedom, and at all.
+_PER_FREEDOM = 4
+FEWEST = _PER_FREEDOM * Kind.PLANE.value
 #: Points that a fit takes.
 _SAMPLE = 800
 #: Rounds of growth.
@@ -133,6 +134,9 @@ def grow_piece(places: Places, seed: Indices) -> Piece | None:
 
 
 def _grown(places: Places, seed: Indices, kind: Kind) -> Piece | None:
+    fewest = _PER_FREEDOM * kind.value
+    if len(seed) < fewest:
+        return None
     is_seed = places.flags(seed)
     fitted, members, largest = seed, seed, 0
     primitive: Primitive | None = None
@@ -144,7 +148,7 @@ def _grown(places: Places, seed: Indices, kind: Kind) -> Piece | None:
         members = _lying_on(places, primitive, scatter, members)
         # What lies beyond the rim of a piece has grown into it.
         fitted = places.inner(members)
-        if is_seed[members].sum() < _HELD * len(seed) or len(fitted) < FEWEST:
+        if is_seed[members].sum() < _HELD * len(seed) or len(fitted) < fewest:
             return None
         if len(members) <= (1.0 + _RESTS) * largest:
             # Places on a curve, or on the two of a strip, lie on many surfaces.

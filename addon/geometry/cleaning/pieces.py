@@ -24,6 +24,8 @@ from ..progress import part_of
 from ..types import Flags, Floats, Indices, Progress
 from .growth import FEWEST, Piece, Places, grow_piece
 
+#: A core has at least so many points, if the region has.
+_LEAST_CORE = 48
 #: A seed is that part of a region that is farther from its border than this share of its depth.
 _CORE = 0.5
 #: Points of a seed after which it takes no further ring; seeds per region.
@@ -168,7 +170,8 @@ def _pieces_inside(
 def _core(group: Indices, depth: Floats) -> Indices:
     """Return the deep part of a region, at least as much as two seeds take."""
     own = depth[group]
-    enough = np.partition(own, -min(2 * FEWEST, len(own)))[-min(2 * FEWEST, len(own))]
+    least = min(_LEAST_CORE, len(own))
+    enough = np.partition(own, -least)[-least]
     return group[own >= min(_CORE * own.max(), enough)]
 
 
