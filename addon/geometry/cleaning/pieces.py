@@ -20,6 +20,7 @@ from ..classification import SurfaceClass
 from ..groups import connected_groups
 from ..links import link_lengths
 from ..nearest import nearest_along
+from ..primitives.shapes import Kind
 from ..progress import part_of
 from ..types import Flags, Floats, Indices, Progress
 from .growth import FEWEST, Piece, Places, grow_piece
@@ -202,7 +203,9 @@ def _pieces_of(
 def _clearance(places: Places, piece: Piece, limit: float) -> float:
     """Return how far the principal curvatures of a piece are from the limit, in 1/m.
 
-    No less than the limit itself: a torus crosses it, and a class that changes there is told by it.
+    Of a torus, which crosses it, the limit itself.
     """
+    if piece.primitive.kind is Kind.TORUS:
+        return limit
     bends = np.abs(piece.primitive.bends(places.position[piece.members]))
-    return max(limit, float(np.median(np.abs(bends - limit).min(axis=0))))
+    return float(np.median(np.abs(bends - limit).min(axis=0)))
