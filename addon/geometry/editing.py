@@ -47,11 +47,12 @@ def merge_regions(
     Returns
     -------
     locked, cuts : (m,) int64
-        To be given to `segment`. What was cut off of the merged regions before is healed.
+        To be given to `segment`. The whole is a part of its own: nothing else of its class joins
+        it, and what was cut off of the merged regions before is healed.
     """
     chosen = np.isin(face_region, regions)
-    healed = int(cuts[chosen].min(initial=np.iinfo(np.int64).max)) if chosen.any() else 0
-    return assign_class(locked, chosen, surface_class), np.where(chosen, healed, cuts)
+    part = int(cuts.max(initial=0)) + 1
+    return assign_class(locked, chosen, surface_class), np.where(chosen, part, cuts)
 
 
 def split_region(cuts: Indices, face_region: Indices, region: int, selected: Flags) -> Indices:

@@ -72,3 +72,31 @@ def test_a_region_is_split_along_the_selection_and_can_be_merged_again() -> None
     )
     again = segment(SURFACE, CURVATURE, TOLERANCE, locked=locked, cuts=healed)
     assert (again.regions.face_region == PLAIN.regions.face_region).all()
+
+
+def test_what_is_merged_does_not_join_neighbors_of_its_class() -> None:
+    """A trough: a quarter of a cylinder, a floor, another quarter."""
+
+    def trough(u: float, v: float) -> tuple[float, float, float]:
+        over = 12 * abs(u - 0.5) - 2.0
+        x = min(12 * abs(u - 0.5), 2.0) + (3 * np.sin(over / 3) if over > 0 else 0.0)
+        z = 3 - 3 * np.cos(over / 3) if over > 0 else 0.0
+        return float(np.copysign(x, u - 0.5)), 4 * v, z
+
+    surface = build_surface(mesh_from_polygons(*grid(trough, (48, 16))))
+    curvature = estimate_curvature(surface)
+    found = segment(surface, curvature, TOLERANCE).regions
+    assert sorted(found.region_class) == [
+        SurfaceClass.FLAT,
+        SurfaceClass.SINGLE,
+        SurfaceClass.SINGLE,
+    ]
+    floor = int(np.flatnonzero(found.region_class == SurfaceClass.FLAT)[0])
+    side = int(found.face_region[0])
+    free, whole = np.full(48 * 16, -1), np.zeros(48 * 16, dtype=np.int64)
+    locked, cuts = merge_regions(
+        free, whole, found.face_region, np.array([floor, side]), SurfaceClass.SINGLE
+    )
+    merged = segment(surface, curvature, TOLERANCE, locked=locked, cuts=cuts).regions
+    assert merged.region_class.tolist() == [SurfaceClass.SINGLE, SurfaceClass.SINGLE]
+    assert len(np.unique(merged.face_region[found.face_region == 3 - floor - side])) == 1
