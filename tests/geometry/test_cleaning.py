@@ -8,7 +8,6 @@ from functools import cache
 
 import numpy as np
 import pytest
-from architectural_curvature.addon.geometry.cleaning.continuation import continue_surface
 from architectural_curvature.addon.geometry.cleaning.sizes import default_min_area
 from architectural_curvature.addon.geometry.criterion import panel_criterion
 from architectural_curvature.addon.geometry.curvature import Curvature, estimate_curvature
@@ -18,7 +17,6 @@ from architectural_curvature.addon.geometry.segmentation import Segmentation, se
 from architectural_curvature.addon.geometry.surface import Surface, build_surface
 from architectural_curvature.addon.geometry.tolerance import Tolerance
 from composites.profiles import profile_points
-from numpy.typing import NDArray
 from solids import grid
 
 #: Panels of 2 m; the limit is 0.02/m.
@@ -62,27 +60,6 @@ def test_a_least_area_that_is_asked_for_spares_nothing() -> None:
     (area,) = plain.area[plain.region_class == 1]
     assert 1 in _segmented(min_area=0.99 * area).regions.region_class
     assert _segmented(min_area=1.01 * area).regions.region_class.tolist() == [0]
-
-
-@pytest.mark.parametrize(("bend_x", "bend_y"), [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)])
-def test_planes_cylinders_and_spheres_continue_exactly(bend_x: float, bend_y: float) -> None:
-    rng = np.random.default_rng(0)
-    x, y = rng.uniform([[0.1], [-0.25]], [[0.5], [0.25]], (20, 2, 48)).transpose(1, 0, 2)
-
-    def height(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
-        square = bend_x * x**2 + bend_y * y**2
-        return square / (1.0 + np.sqrt(1.0 - square))
-
-    here = np.zeros(20)
-    # In a frame that looks along the normal in the middle of the points.
-    slope = bend_x * 0.3 / np.sqrt(1.0 - bend_x * 0.09)
-    turn = np.array([[1.0, slope], [-slope, 1.0]]) / np.hypot(1.0, slope)
-    local_x, local_z = np.einsum("ij,jpc->ipc", turn, np.stack([x, height(x, y)]))
-    fit = continue_surface((local_x, y, local_z), (here, here, here), x > 0.0, 1e-6)
-    assert fit.is_sound.all()
-    # Of a circle, what is left are terms of degree 6: k⁵ x⁶ / 16.
-    assert np.abs(fit.height).max() < 0.5**6 / 16.0
-    assert np.abs(fit.height).max() < 0.1 * 0.5 * 0.1**2 or bend_x == 0.0
 
 
 def test_the_border_of_two_halves_is_one_straight_curve_with_its_length() -> None:

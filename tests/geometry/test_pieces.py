@@ -9,8 +9,8 @@ from collections import Counter
 import numpy as np
 import pytest
 from architectural_curvature.addon.geometry.cleaning.growth import Piece
+from architectural_curvature.addon.geometry.cleaning.labels import class_of_sectors
 from architectural_curvature.addon.geometry.cleaning.pieces import find_pieces
-from architectural_curvature.addon.geometry.cleaning.sides import class_of_sectors
 from architectural_curvature.addon.geometry.curvature import estimate_curvature
 from architectural_curvature.addon.geometry.links import rim_sectors, sector_links
 from architectural_curvature.addon.geometry.mesh import mesh_from_polygons

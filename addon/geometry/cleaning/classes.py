@@ -19,19 +19,11 @@ from ..regions import connect_regions
 from ..surface import Surface
 from ..types import Flags, Floats, Indices, Progress
 from .developability import reject_bent_rulings
-from .labels import FaceCurvature, label_faces, seam_evidence
+from .labels import FaceCurvature, class_of_sectors, label_faces, seam_evidence
 from .necks import split_at_necks
 from .piece_evidence import PieceCosts, piece_costs
 from .pieces import find_pieces
-from .sides import class_of_sectors, side_evidence
 from .sizes import default_min_area, worth_telling
-
-#: How often borders are looked at from their sides, unless no more than this share of the polygons
-#: beside them changes.
-_LOOKS, _SETTLED = 2, 0.05
-
-#: A difference in cost that decides between two sides.
-_CLEAR = 1.0
 
 #: Share of the curvature's difference between the corners that a polygon's own is uncertain by.
 _SPREAD = 0.05
@@ -93,9 +85,9 @@ def clean_classes(
         surface, faces, criterion, evidence, locked, part_of(on_progress, 0.2, 0.4)
     )
     on_pieces = _find_pieces(surface, curvature, labels, criterion, part_of(on_progress, 0.4, 0.6))
-    labels = _look_at_borders(
-        surface, curvature, labels, (faces, criterion, evidence, locked), on_pieces, on_progress
-    )
+    if on_pieces.is_near.any():
+        advance = part_of(on_progress, 0.6, 0.8)
+        labels = label_faces(surface, faces, criterion, evidence, locked, advance, on_pieces)
     is_kept = np.zeros(len(labels), dtype=np.bool_) if is_locked is None else is_locked
     if not min_area:
         min_area = default_min_area(surface, criterion)
@@ -153,42 +145,6 @@ def _find_pieces(
     return piece_costs(surface, pieces, criterion)
 
 
-def _look_at_borders(
-    surface: Surface,
-    curvature: Curvature,
-    labels: Indices,
-    how: tuple[FaceCurvature, Criterion, tuple[Floats, Flags], Indices | None],
-    on_pieces: PieceCosts,
-    on_progress: Progress | None,
-) -> Indices:
-    """Move borders to where pieces end, or where the surfaces on their two sides part."""
-    faces, criterion, evidence, locked = how
-    is_settled = on_pieces.is_settled
-    if on_pieces.is_near.any():
-        labels = label_faces(surface, faces, criterion, evidence, locked, None, None, on_pieces)
-    sides: tuple[Floats, Flags] | None = None
-    for look in range(_LOOKS):
-        start, end = (0.6 + 0.2 * step / _LOOKS for step in (look, look + 1))
-        found = side_evidence(surface, curvature, labels, criterion.curvature_limit, is_settled)
-        part_of(on_progress, start, end)(0.6)
-        if not found[1].any():
-            break
-        sides = found if sides is None else _clearest(found, sides)
-        before, advance = labels, part_of(on_progress, 0.4 * start + 0.6 * end, end)
-        labels = label_faces(surface, faces, criterion, evidence, locked, advance, sides, on_pieces)
-        if (before != labels).sum() <= _SETTLED * found[1].sum():
-            break
-    return labels
-
-
-def _clearest(found: tuple[Floats, Flags], before: tuple[Floats, Flags]) -> tuple[Floats, Flags]:
-    """Return what was found now, but where it is undecided what was found before."""
-    cost, is_told = found
-    ranked = np.sort(np.minimum(cost, 1e9), axis=1)
-    is_newer = is_told & ((ranked[:, 1] - ranked[:, 0] > _CLEAR) | ~before[1])
-    return np.where(is_newer[:, None], cost, before[0]), is_told | before[1]
-
-
 def face_estimate(surface: Surface, curvature: Curvature) -> FaceCurvature:
     """Return the polygons' curvature with its uncertainty."""
     sector, start = surface.corner_sector, surface.mesh.polygon_start[:-1]
@@ -200,7 +156,6 @@ def face_estimate(surface: Surface, curvature: Curvature) -> FaceCurvature:
         curvature.face_k2,
         np.hypot(error, _SPREAD * spread),
         curvature.is_face_defined,
-        np.logical_or.reduceat(curvature.is_smoothed[sector], start),
     )
 
 

@@ -40,15 +40,12 @@ class FaceCurvature:
     uncertainty : (m,) float64
         Standard deviation of k1 and k2 in 1/m.
     is_defined : (m,) bool
-    is_smoothed : (m,) bool
-        Where noise was smoothed away, which blurs seams over many edges.
     """
 
     k1: Floats
     k2: Floats
     uncertainty: Floats
     is_defined: Flags
-    is_smoothed: Flags
 
 
 def label_faces(
@@ -58,7 +55,6 @@ def label_faces(
     evidence: tuple[Floats, Flags] | None = None,
     fixed: Indices | None = None,
     on_progress: Progress | None = None,
-    sides: tuple[Floats, Flags] | None = None,
     on_pieces: PieceCosts | None = None,
 ) -> Indices:
     """Return the class of every polygon: the labels of least energy.
@@ -79,8 +75,6 @@ def label_faces(
         Classes given by the user; -1 where free.
     on_progress : callable, optional
         Receives the share of the work that is done.
-    sides : pair of (m, 4) float64 and (m,) bool, optional
-        What `side_evidence` says.
     on_pieces : PieceCosts, optional
 
     Returns
@@ -96,13 +90,6 @@ def label_faces(
         has_model = position_cost != NO_MODEL
         heard = position_cost + np.where(has_model, np.minimum(cost, _BLURRED), cost)
         cost = np.where(is_heard[:, None], heard, cost)
-    if sides is not None:
-        side_cost, is_told = sides
-        told = (
-            np.minimum(side_cost, 50.0)
-            + np.minimum(cost, _BLURRED) * np.where(faces.is_smoothed, 0.1, 1.0)[:, None]
-        )
-        cost = np.where(is_told[:, None], told, cost)
     if on_pieces is not None:
         # Either a polygon lies on a piece, or on what no primitive describes.
         cost = on_pieces.combined(cost)
@@ -148,6 +135,17 @@ def seam_evidence(
     is_heard = np.logical_or.reduceat(seams.has_evidence[sector], start)
     is_heard &= cost.min(axis=1) < NO_MODEL
     return seams.k1, seams.k2, (cost, is_heard)
+
+
+def class_of_sectors(surface: Surface, face_class: Indices) -> Indices:
+    """Return the class of all polygons at a sector, -1 where they differ or have none."""
+    label = face_class[surface.mesh.corner_polygon]
+    order = np.argsort(surface.corner_sector, kind="stable")
+    sorted_label = label[order]
+    first = np.searchsorted(surface.corner_sector[order], np.arange(surface.sector_count))
+    low = np.minimum.reduceat(sorted_label, first)
+    high = np.maximum.reduceat(sorted_label, first)
+    return np.where(low == high, low, -1)
 
 
 def _typical_edge(length: Floats) -> float:
