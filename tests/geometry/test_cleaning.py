@@ -67,18 +67,17 @@ def test_a_least_area_that_is_asked_for_spares_nothing() -> None:
 @pytest.mark.parametrize(("bend_x", "bend_y"), [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)])
 def test_planes_cylinders_and_spheres_continue_exactly(bend_x: float, bend_y: float) -> None:
     rng = np.random.default_rng(0)
-    x, y = rng.uniform([[0.1], [-0.25]], [[0.5], [0.25]], (20, 2, 48)).transpose(1, 0, 2)
+    x, y = rng.uniform([[0.1], [-0.25]], [[0.5], [0.25]], (20, 2, 48)).transpose(1, 2, 0)
 
     def height(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
         square = bend_x * x**2 + bend_y * y**2
         return square / (1.0 + np.sqrt(1.0 - square))
 
-    here = np.zeros(20)
     # In a frame that looks along the normal in the middle of the points.
     slope = bend_x * 0.3 / np.sqrt(1.0 - bend_x * 0.09)
     turn = np.array([[1.0, slope], [-slope, 1.0]]) / np.hypot(1.0, slope)
     local_x, local_z = np.einsum("ij,jpc->ipc", turn, np.stack([x, height(x, y)]))
-    fit = continue_surface((local_x, y, local_z), (here, here, here), x > 0.0, 1e-6)
+    fit = continue_surface((local_x, y, local_z), x > 0.0, 1e-6)
     assert fit.is_sound.all()
     # Of a circle, what is left are terms of degree 6: k⁵ x⁶ / 16.
     assert np.abs(fit.height).max() < 0.5**6 / 16.0

@@ -12,31 +12,21 @@ curvature itself says stays.
 from __future__ import annotations
 
 import itertools
-from dataclasses import fields
 
 import numpy as np
 
 from ..curvature import Curvature
-from ..engine.normals import tangent_frame
 from ..groups import connected_groups
 from ..links import link_lengths, sector_links
-from ..nearest import nearest
 from ..surface import Surface
 from ..types import Flags, Floats, Indices
-from .continuation import Continuation, continue_surface, size_of_bend
+from .continuation import size_of_bend
+from .side_points import Field, Side
 
 #: Edges on each side of a border where places are asked.
 RINGS = 1
-#: Points that a side is continued from, how far they may be, in edges, and the nearest of them as a
-#: share of that.
-_POINTS = 48
+#: How far points of a side may be, in edges.
 _REACH = 8.0
-_NEAREST = 0.5
-#: Cosine between normals beyond which a point belongs to another sheet.
-_FACING = 0.3
-#: Half a disc of points scatters twice to almost three times as far along the border as across it;
-#: a strip that scatters more tells nothing about what lies across it.
-_SLENDER = 3.0
 #: Second derivatives of the two sides must differ by this many limits, and standard deviations.
 _JUMP, _SIGNIFICANT = 0.75, 4.0
 #: They must differ by more than they change on the way, and by this share of themselves.
@@ -44,8 +34,6 @@ _GRADUAL = 0.35
 #: Heights of the two sides are told apart to this share of the larger.
 _RESOLUTION = 0.1
 _CLASSES = 4
-#: Places at a time: what is computed of them stays in the processor's cache.
-_CHUNK = 512
 
 
 def side_evidence(
@@ -179,86 +167,48 @@ def _ask(
         & (place_class[links[:, 0]] == place_class[links[:, 1]])
     )
     piece = connected_groups(links[alike], surface.sector_count)
+    where_at = Field.of(surface.sector_position, curvature.normal, curvature.noise)
+    sides = {
+        surface_class: Side.of(
+            surface.sector_position,
+            np.flatnonzero(is_source & (place_class == surface_class)),
+            piece,
+        )
+        for surface_class in np.unique(place_class[is_source]).tolist()
+    }
     off = np.full((len(asked), _CLASSES), np.inf)
     deviation = np.full((len(asked), _CLASSES), np.inf)
-    bends: dict[int, Floats] = {}
-    for surface_class in np.unique(place_class[is_source]).tolist():
-        source = np.flatnonzero(is_source & (place_class == surface_class))
-        chosen = np.flatnonzero(around[asked, surface_class])
-        fit = _continue_side(surface, curvature, asked[chosen], source, piece, reach)
+    bends = {surface_class: np.zeros((5, len(asked))) for surface_class in sides}
+    # What one class beside it tells nothing about proves nothing, nor do its polygons: a place is
+    # asked as long as every class may answer, and whether it is near enough comes first.
+    near = around[asked]
+    missing = [number for number in range(_CLASSES) if number not in sides]
+    is_open: Flags = ~np.logical_or.reduce(near[:, missing], axis=1)
+    for surface_class, side in sides.items():
+        chosen = np.flatnonzero(is_open & near[:, surface_class])
+        is_open[chosen] = side.is_near(surface.sector_position[asked[chosen]], reach[asked[chosen]])
+    is_open = _with_open_polygons(surface, asked, is_open)
+    for surface_class, side in sides.items():
+        chosen = np.flatnonzero(is_open & near[:, surface_class])
+        is_open[chosen] = False
+        found, fit = side.continued(where_at, asked[chosen], reach[asked[chosen]])
+        chosen = chosen[found]
         off[chosen, surface_class] = np.where(fit.is_sound, np.abs(fit.height), np.inf)
         deviation[chosen, surface_class] = np.where(fit.is_sound, fit.deviation, np.inf)
-        bends[surface_class] = np.zeros((len(asked), 5))
-        bends[surface_class][chosen] = np.c_[fit.bend, fit.bend_deviation, fit.change]
+        bends[surface_class][:, chosen] = [*fit.bend, fit.bend_deviation, fit.change]
+        is_open[chosen] = fit.is_sound
     return off, deviation, _jumps(bends, np.isfinite(deviation), limit)
 
 
-def _continue_side(
-    surface: Surface,
-    curvature: Curvature,
-    asked: Indices,
-    source: Indices,
-    piece: Indices,
-    reach: Floats,
-) -> Continuation:
-    """Continue the nearest piece of a side to places."""
-    position, reach = surface.sector_position, reach[asked]
-    distance, near = nearest(position[source], position[asked], _POINTS, np.inf)
-    parts = [
-        _continued(
-            surface,
-            curvature,
-            asked[part],
-            (source[near[part]], distance[part]),
-            piece,
-            reach[part, None],
-        )
-        for part in np.split(np.arange(len(asked)), range(_CHUNK, len(asked), _CHUNK))
-    ]
-    names = [field.name for field in fields(Continuation)]
-    return Continuation(
-        *(np.concatenate([getattr(part, name) for part in parts]) for name in names)
-    )
-
-
-def _continued(
-    surface: Surface,
-    curvature: Curvature,
-    asked: Indices,
-    near: tuple[Indices, Floats],
-    piece: Indices,
-    reach: Floats,
-) -> Continuation:
-    """Continue the piece that the nearest of points and distances (p, c) lies on."""
-    position, (points, distance) = surface.sector_position, near
-    facing = np.einsum("pj,pcj->pc", curvature.normal[asked], curvature.normal[points])
-    is_used = (piece[points] == piece[points[:, :1]]) & (distance < reach) & (facing > _FACING)
-    is_used &= distance[:, :1] < _NEAREST * reach
-    normal = (curvature.normal[points] * is_used[:, :, None]).sum(axis=1)
-    normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
-    # Axes that turn along with the normal, so that second derivatives can be compared.
-    axis, _ = tangent_frame(curvature.normal[asked])
-    first = axis - np.einsum("pj,pj->p", axis, normal)[:, None] * normal
-    first /= np.maximum(np.linalg.norm(first, axis=1), 1e-300)[:, None]
-    arm = position[points] - position[asked][:, None]
-    x, y, z = (
-        np.einsum("pcj,pj->pc", arm, side) for side in (first, np.cross(normal, first), normal)
-    )
-    is_used &= (_slenderness(x, y, is_used) < _SLENDER)[:, None]
-    none = np.zeros(len(asked))
-    return continue_surface((x, y, z), (none, none, none), is_used, curvature.noise)
-
-
-def _slenderness(x: Floats, y: Floats, is_used: Flags) -> Floats:
-    """Return how many times farther points scatter along their strip than across it."""
-    weight = is_used / np.maximum(is_used.sum(axis=1, keepdims=True), 1)
-    x = x - (weight * x).sum(axis=1, keepdims=True)
-    y = y - (weight * y).sum(axis=1, keepdims=True)
-    xx, xy, yy = ((weight * product).sum(axis=1) for product in (x * x, x * y, y * y))
-    mean, gap = 0.5 * (xx + yy), np.hypot(0.5 * (xx - yy), xy)
-    result = np.full(len(x), np.inf)
-    np.divide(mean + gap, mean - gap, out=result, where=mean > gap)
-    return np.sqrt(result)
+def _with_open_polygons(surface: Surface, asked: Indices, is_open: Flags) -> Flags:
+    """Return which places have a polygon of which no corner is a place that is not open."""
+    start, sector = surface.mesh.polygon_start[:-1], surface.corner_sector
+    is_closed = np.zeros(surface.sector_count, dtype=np.bool_)
+    is_closed[asked[~is_open]] = True
+    is_shut = np.logical_or.reduceat(is_closed[sector], start)
+    result = np.zeros(surface.sector_count, dtype=np.bool_)
+    result[sector[~is_shut[surface.mesh.corner_polygon]]] = True
+    return result[asked] & is_open
 
 
 def _jumps(bends: dict[int, Floats], is_sound: Flags, limit: float) -> Flags:
@@ -266,10 +216,10 @@ def _jumps(bends: dict[int, Floats], is_sound: Flags, limit: float) -> Flags:
     jumps = np.zeros(len(is_sound), dtype=np.bool_)
     for one, other in itertools.combinations(bends, 2):
         both = np.flatnonzero(is_sound[:, one] & is_sound[:, other])
-        a, b = bends[one][both], bends[other][both]
-        size = size_of_bend(a[:, :3] - b[:, :3])
-        doubt = _SIGNIFICANT * np.hypot(a[:, 3], b[:, 3])
-        gradual = a[:, 4] + b[:, 4]
-        gradual += _GRADUAL * np.maximum(size_of_bend(a[:, :3]), size_of_bend(b[:, :3]))
+        a, b = bends[one][:, both], bends[other][:, both]
+        size = size_of_bend(a[:3] - b[:3])
+        doubt = _SIGNIFICANT * np.hypot(a[3], b[3])
+        gradual = a[4] + b[4]
+        gradual += _GRADUAL * np.maximum(size_of_bend(a[:3]), size_of_bend(b[:3]))
         jumps[both] |= size > np.maximum(_JUMP * limit, np.maximum(doubt, gradual))
     return jumps
