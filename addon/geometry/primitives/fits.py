@@ -95,20 +95,22 @@ def refine(primitive: Primitive, points: Floats, floor: float) -> Primitive:
     damping = _LEAST_DAMPING
     height, by = primitive.derivatives(points)
     for _ in range(_STEPS):
-        scatter = max(_MEDIAN * float(np.median(np.abs(height))), floor)
-        weight = _tukey(height, scatter)
-        scale = np.maximum(np.sqrt((by * by).mean(axis=0)), 1e-12 * np.sqrt((by * by).mean()))
+        scatter = max(_MEDIAN * _median(np.abs(height)), floor)
+        share = _tukey(height, scatter)
+        square = np.einsum("nd,nd->d", by, by) / len(points)
+        scale = np.sqrt(np.maximum(square, 1e-24 * square.mean()))
         columns = by / np.where(scale > 0.0, scale, 1.0)
-        system = columns.T @ (weight[:, None] * columns)
+        weighted = (share * share)[:, None] * columns
+        system = columns.T @ weighted
         system += damping * len(points) * np.eye(len(scale))
-        change = -np.linalg.solve(system, columns.T @ (weight * height))
+        change = -np.linalg.solve(system, weighted.T @ height)
         changed = primitive.changed(change / np.where(scale > 0.0, scale, 1.0))
         if changed.sizes and abs(changed.sizes[-1]) < _SMALLEST * extent * (
             changed.kind is not Kind.CONE
         ):
             break
         new_height, new_by = changed.derivatives(points)
-        if _cost(new_height, scatter) <= _cost(height, scatter):
+        if _cost(_tukey(new_height, scatter)) <= _cost(share):
             primitive, height, by = changed, new_height, new_by
             damping = max(0.1 * damping, _LEAST_DAMPING)
             if np.abs(change).max() <= _DONE * scatter:
@@ -118,13 +120,24 @@ def refine(primitive: Primitive, points: Floats, floor: float) -> Primitive:
     return primitive
 
 
+def _median(values: Floats) -> float:
+    """Return the median; without the checks of numpy's, which cost more than finding it."""
+    half = len(values) // 2
+    if len(values) % 2:
+        return float(np.partition(values, half)[half])
+    return float(np.partition(values, [half - 1, half])[half - 1 : half + 1].mean())
+
+
 def _tukey(height: Floats, scatter: float) -> Floats:
-    return np.maximum(1.0 - (height / (_TUKEY * scatter)) ** 2, 0.0) ** 2
+    """Return the roots of Tukey's weights."""
+    share = height / (_TUKEY * scatter)
+    share *= share
+    return np.maximum(1.0 - share, 0.0)
 
 
-def _cost(height: Floats, scatter: float) -> float:
-    """Return what Tukey's weights minimize, up to a factor."""
-    return float((1.0 - np.maximum(1.0 - (height / (_TUKEY * scatter)) ** 2, 0.0) ** 3).sum())
+def _cost(share: Floats) -> float:
+    """Return what Tukey's weights minimize, up to a factor, given their roots."""
+    return float((1.0 - share * share * share).sum())
 
 
 def _center(points: Floats) -> tuple[Floats, float]:
