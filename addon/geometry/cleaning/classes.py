@@ -17,7 +17,7 @@ from ..regions import connect_regions
 from ..surface import Surface
 from ..types import Flags, Floats, Indices, Progress
 from .developability import reject_bent_rulings
-from .labels import FaceCurvature, label_faces, seam_evidence
+from .labels import FaceCurvature, Labeling, seam_evidence
 from .necks import split_at_necks
 from .piece_evidence import PieceCosts, piece_costs
 from .pieces import find_pieces
@@ -71,12 +71,11 @@ def clean_classes(
     sharp = with_sector_values(surface, curvature, k1, k2)
     faces = face_estimate(surface, sharp)
     part_of(on_progress, 0.0, 0.2)(1.0)
-    labels = label_faces(
-        surface, faces, criterion, evidence, locked, part_of(on_progress, 0.2, 0.4)
-    )
+    labeling = Labeling.of(surface, faces, criterion, evidence, locked)
+    labels = labeling.labels(part_of(on_progress, 0.2, 0.4))
     on_pieces = _find_pieces(surface, curvature, labels, criterion, part_of(on_progress, 0.4, 0.6))
     labels = _look_at_borders(
-        surface, curvature, labels, (faces, criterion, evidence, locked), on_pieces, on_progress
+        surface, curvature, labels, labeling, criterion.curvature_limit, on_pieces, on_progress
     )
     is_kept = np.zeros(len(labels), dtype=np.bool_) if is_locked is None else is_locked
     if not min_area:
@@ -138,25 +137,24 @@ def _look_at_borders(
     surface: Surface,
     curvature: Curvature,
     labels: Indices,
-    how: tuple[FaceCurvature, Criterion, tuple[Floats, Flags], Indices | None],
+    labeling: Labeling,
+    limit: float,
     on_pieces: PieceCosts,
     on_progress: Progress | None,
 ) -> Indices:
     """Move borders to where pieces end, or where the surfaces on their two sides part."""
-    faces, criterion, evidence, locked = how
-    is_settled = on_pieces.is_settled
     if on_pieces.is_near.any():
-        labels = label_faces(surface, faces, criterion, evidence, locked, None, None, on_pieces)
+        labels = labeling.labels(None, None, on_pieces)
     sides: tuple[Floats, Flags] | None = None
     for look in range(_LOOKS):
         start, end = (0.6 + 0.2 * step / _LOOKS for step in (look, look + 1))
-        found = side_evidence(surface, curvature, labels, criterion.curvature_limit, is_settled)
+        found = side_evidence(surface, curvature, labels, limit, on_pieces.is_settled)
         part_of(on_progress, start, end)(0.6)
         if not found[1].any():
             break
         sides = found if sides is None else _clearest(found, sides)
         before, advance = labels, part_of(on_progress, 0.4 * start + 0.6 * end, end)
-        labels = label_faces(surface, faces, criterion, evidence, locked, advance, sides, on_pieces)
+        labels = labeling.labels(advance, sides, on_pieces)
         if (before != labels).sum() <= _SETTLED * found[1].sum():
             break
     return labels
