@@ -10,7 +10,10 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from typing import TypeVar
+from dataclasses import fields
+from typing import Any, TypeVar
+
+import numpy as np
 
 _Part = TypeVar("_Part")
 _Result = TypeVar("_Result")
@@ -32,3 +35,12 @@ def in_parallel(work: Callable[[_Part], _Result], parts: Sequence[_Part]) -> lis
         return [work(part) for part in parts]
     with ThreadPoolExecutor(WORKERS) as workers:
         return list(workers.map(work, parts))
+
+
+def joined(parts: Sequence[_Part]) -> _Part:
+    """Return a dataclass of arrays from those of all parts, joined along the last axis."""
+    first: Any = parts[0]
+    names = [each.name for each in fields(first)]
+    return type(first)(
+        *(np.concatenate([getattr(part, name) for part in parts], axis=-1) for name in names)
+    )

@@ -67,15 +67,25 @@ def clean_classes(
         Regions do not reach across parts: they differ at the two sides of a narrow neck.
     """
     is_locked = None if locked is None else locked >= 0
-    k1, k2, evidence = seam_evidence(surface, curvature, criterion)
+    links = sector_links(surface)
+    k1, k2, evidence = seam_evidence(surface, links, curvature, criterion)
     sharp = with_sector_values(surface, curvature, k1, k2)
     faces = face_estimate(surface, sharp)
     part_of(on_progress, 0.0, 0.2)(1.0)
     labeling = Labeling.of(surface, faces, criterion, evidence, locked)
     labels = labeling.labels(part_of(on_progress, 0.2, 0.4))
-    on_pieces = _find_pieces(surface, curvature, labels, criterion, part_of(on_progress, 0.4, 0.6))
+    on_pieces = _find_pieces(
+        surface, links, curvature, labels, criterion, part_of(on_progress, 0.4, 0.55)
+    )
     labels = _look_at_borders(
-        surface, curvature, labels, labeling, criterion.curvature_limit, on_pieces, on_progress
+        surface,
+        links,
+        curvature,
+        labels,
+        labeling,
+        criterion.curvature_limit,
+        on_pieces,
+        on_progress,
     )
     is_kept = np.zeros(len(labels), dtype=np.bool_) if is_locked is None else is_locked
     if not min_area:
@@ -114,6 +124,7 @@ def _without_bent(
 
 def _find_pieces(
     surface: Surface,
+    links: Indices,
     curvature: Curvature,
     labels: Indices,
     criterion: Criterion,
@@ -122,7 +133,7 @@ def _find_pieces(
     pieces = find_pieces(
         surface.sector_position,
         curvature.normal,
-        sector_links(surface),
+        links,
         np.where(curvature.is_defined, class_of_sectors(surface, labels), -1),
         curvature.mean,
         rim_sectors(surface),
@@ -135,6 +146,7 @@ def _find_pieces(
 
 def _look_at_borders(
     surface: Surface,
+    links: Indices,
     curvature: Curvature,
     labels: Indices,
     labeling: Labeling,
@@ -144,11 +156,11 @@ def _look_at_borders(
 ) -> Indices:
     """Move borders to where pieces end, or where the surfaces on their two sides part."""
     if on_pieces.is_near.any():
-        labels = labeling.labels(None, None, on_pieces)
+        labels = labeling.labels(part_of(on_progress, 0.55, 0.6), None, on_pieces)
     sides: tuple[Floats, Flags] | None = None
     for look in range(_LOOKS):
         start, end = (0.6 + 0.2 * step / _LOOKS for step in (look, look + 1))
-        found = side_evidence(surface, curvature, labels, limit, on_pieces.is_settled)
+        found = side_evidence(surface, links, curvature, labels, limit, on_pieces.is_settled)
         part_of(on_progress, start, end)(0.6)
         if not found[1].any():
             break

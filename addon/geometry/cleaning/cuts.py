@@ -16,8 +16,9 @@ LARGEST = 2**27
 #: Items are decided one by one as long as that settles this share of them at once.
 _WORTHWHILE = 0.1
 
-#: Links around those who gain within which a cut is looked for first.
-_NEAR = 6
+#: Links around those who gain within which a cut is looked for first, if they are no more than this
+#: share of all.
+_NEAR, _FEW = 6, 0.01
 
 
 @dataclass
@@ -91,14 +92,15 @@ def minimum_cut(problem: CutProblem) -> tuple[Flags, Floats]:
     a, b = problem.a, problem.b
     changes, flow = np.zeros(len(problem.surplus), dtype=np.bool_), np.zeros(len(a))
     is_inside = problem.surplus > 0.0
+    is_inside[:] |= is_inside.sum() > _FEW * len(is_inside)
     rings = _NEAR
     while is_inside.any():
-        for _ in range(rings):
+        for _ in range(0 if is_inside.all() else rings):
             near = is_inside.copy()
             near[b[is_inside[a]]] = True
             near[a[is_inside[b]]] = True
             is_inside = near
-        is_inside |= 2 * is_inside.sum() > len(is_inside)
+        is_inside[:] |= 2 * is_inside.sum() > len(is_inside)
         part, arcs = problem.part(is_inside)
         changes[is_inside], flow[arcs] = _solved(part)
         leaks = (changes[a] & ~is_inside[b] & (problem.forth > 0.0)) | (

@@ -11,7 +11,7 @@ import numpy as np
 from ..classification import SurfaceClass
 from ..criterion import Criterion, classify_by
 from ..curvature import Curvature
-from ..links import sector_links, smooth_links
+from ..links import smooth_links
 from ..surface import Surface
 from ..types import Flags, Floats, Indices, Progress
 from .likelihood import class_costs
@@ -172,9 +172,17 @@ class Labeling:
 
 
 def seam_evidence(
-    surface: Surface, curvature: Curvature, criterion: Criterion
+    surface: Surface, links: Indices, curvature: Curvature, criterion: Criterion
 ) -> tuple[Floats, Floats, tuple[Floats, Flags]]:
     """Return what positions near seams say about the polygons.
+
+    Parameters
+    ----------
+    surface : Surface
+    links : (p, 2) int64
+        Of the surface's sectors.
+    curvature : Curvature
+    criterion : Criterion
 
     Returns
     -------
@@ -185,9 +193,7 @@ def seam_evidence(
     """
     position = surface.sector_position
     place_class = classify_by(curvature.k1, curvature.k2, criterion, curvature.is_defined)
-    seams = find_seams(
-        position, sector_links(surface), curvature, place_class, criterion.curvature_limit
-    )
+    seams = find_seams(position, links, curvature, place_class, criterion.curvature_limit)
     sector, start = surface.corner_sector, surface.mesh.polygon_start[:-1]
     # A polygon lies on a surface only if all its corners do; those on the seam lie on both.
     cost = np.maximum.reduceat(

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Labels by minimum cuts: those that agree best with the data at the shortest borders between them."""
+"""Labels by minimum cuts: those that agree best with the data at the shortest borders."""
 
 from __future__ import annotations
 
@@ -108,19 +108,23 @@ def minimize_potts(
     is_free &= ~settled_items(problem, labels) | (
         False if fixed is None else _near(problem, fixed >= 0)
     )
+    # Links between what cannot move decide nothing.
+    link_count = len(problem.links)
+    active = np.flatnonzero(is_free[problem.links].any(axis=1))
     problem = _in_whole_numbers(problem)
+    problem = PottsProblem(problem.cost, problem.links[active], problem.weight[active])
     label_count = problem.cost.shape[1]
     flows = [] if flows is None else flows
     steps, unchanged = 0, 0
     while unchanged < label_count and steps < _ROUNDS * label_count:
         # A step is most like the same step of a similar problem, then like its last on this label.
         known = steps if steps < len(flows) else steps - label_count
-        guess = np.zeros(len(problem.links))
+        guess = np.zeros(link_count)
         if 0 <= known < len(flows):
             guess[flows[known][0]] = flows[known][1]
-        expanded, flow = _expand(problem, labels, steps % label_count, is_free, guess)
+        expanded, flow = _expand(problem, labels, steps % label_count, is_free, guess[active])
         used = np.flatnonzero(flow)
-        flows[steps : steps + 1] = [(used, flow[used])]
+        flows[steps : steps + 1] = [(active[used], flow[used])]
         unchanged = unchanged + 1 if np.array_equal(expanded, labels) else 0
         labels = expanded
         steps += 1
@@ -161,36 +165,33 @@ def _expand(
         return labels, flow
     number = np.full(len(labels), -1, dtype=np.int64)
     number[moving] = np.arange(len(moving))
-    keep = problem.cost[moving, labels[moving]]
-    change = problem.cost[moving, label]
-    touching = np.flatnonzero(is_moving[problem.links[:, 0]] | is_moving[problem.links[:, 1]])
-    links, weight = problem.links[touching], problem.weight[touching]
-    one, other = links[:, 0], links[:, 1]
-    both = is_moving[one] & is_moving[other]
+    surplus = problem.cost[moving, labels[moving]] - problem.cost[moving, label]
+    one, other = problem.links.T
+    one_moves, other_moves = is_moving[one], is_moving[other]
 
     # One end cannot move: the cost falls on the other end alone.
-    for own, neighbor in ((one, other), (other, one)):
-        alone = is_moving[own] & ~is_moving[neighbor]
-        item = number[own[alone]]
-        keep += np.bincount(
-            item, weight[alone] * (labels[own[alone]] != labels[neighbor[alone]]), len(moving)
-        )
-        change += np.bincount(item, weight[alone] * (labels[neighbor[alone]] != label), len(moving))
+    for own, neighbor, alone in (
+        (one, other, np.flatnonzero(one_moves & ~other_moves)),
+        (other, one, np.flatnonzero(other_moves & ~one_moves)),
+    ):
+        item, beside = own[alone], labels[neighbor[alone]]
+        worth = (labels[item] != beside).astype(np.float64) - (beside != label)
+        surplus += np.bincount(number[item], problem.weight[alone] * worth, len(moving))
 
     # Both ends may move: E(keep, keep) = w [unlike], E(keep, change) = E(change, keep) = w,
     # E(change, change) = 0. As in Kolmogorov and Zabih (2004) the part that is not an arc from
-    # keep to change becomes a cost of single items.
-    a, b, w = number[one[both]], number[other[both]], weight[both]
-    unlike = labels[one[both]] != labels[other[both]]
-    # keeping a costs w [unlike]; changing a while b keeps costs the rest; the arc a -> b takes it.
-    keep += 0.5 * (
-        np.bincount(a, w * unlike, len(moving)) + np.bincount(b, w * unlike, len(moving))
-    )
-    arc = np.where(unlike, 0.5 * w, w)
-    guess = np.clip(flow[touching[both]], -arc, arc)
-    moves, more = minimum_cut(CutProblem(keep - change, a, b, arc, arc).sent(guess))
+    # keep to change becomes a cost of single items: keeping a costs w [unlike]; changing a while b
+    # keeps costs the rest; the arc a -> b takes it.
+    both = np.flatnonzero(one_moves & other_moves)
+    a, b = one[both], other[both]
+    half = np.where(labels[a] != labels[b], 0.5 * problem.weight[both], 0.0)
+    arc = problem.weight[both] - half
+    a, b = number[a], number[b]
+    surplus += np.bincount(a, half, len(moving)) + np.bincount(b, half, len(moving))
+    guess = np.clip(flow[both], -arc, arc)
+    moves, more = minimum_cut(CutProblem(surplus, a, b, arc, arc).sent(guess))
     result = labels.copy()
     result[moving[moves]] = label
     found = np.zeros(len(flow))
-    found[touching[both]] = guess + more
+    found[both] = guess + more
     return result, found

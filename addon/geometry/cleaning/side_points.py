@@ -4,13 +4,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 
 from ..engine.normals import tangent_frame
 from ..nearest import PointFinder
-from ..threads import in_parallel
+from ..threads import in_parallel, joined
 from ..types import AnyArray, Coordinates, Flags, Floats, Indices
 from .continuation import FEWEST, Continuation, continue_surface
 
@@ -97,10 +97,7 @@ class Side:
             return start + found, continuation
 
         found, parts = zip(*in_parallel(work, range(0, max(len(places), 1), _CHUNK)), strict=True)
-        names = [each.name for each in fields(Continuation)]
-        return np.concatenate(found), Continuation(
-            *(np.concatenate([getattr(part, name) for part in parts], axis=-1) for name in names)
-        )
+        return np.concatenate(found), joined(parts)
 
     def _continued(
         self, field: Field, places: Indices, reach: Floats

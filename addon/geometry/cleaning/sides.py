@@ -16,8 +16,8 @@ import itertools
 import numpy as np
 
 from ..curvature import Curvature
-from ..groups import connected_groups
-from ..links import link_lengths, sector_links
+from ..groups import connected_groups, ranges
+from ..links import link_lengths
 from ..surface import Surface
 from ..types import Flags, Floats, Indices
 from .continuation import size_of_bend
@@ -38,6 +38,7 @@ _CLASSES = 4
 
 def side_evidence(
     surface: Surface,
+    links: Indices,
     curvature: Curvature,
     face_class: Indices,
     limit: float,
@@ -48,6 +49,8 @@ def side_evidence(
     Parameters
     ----------
     surface : Surface
+    links : (p, 2) int64
+        Of the surface's sectors.
     curvature : Curvature
         On the sectors.
     face_class : (m,) int64
@@ -65,7 +68,6 @@ def side_evidence(
     is_told : (m,) bool
     """
     sector, start = surface.corner_sector, surface.mesh.polygon_start[:-1]
-    links = sector_links(surface)
     place_class = class_of_sectors(surface, face_class)
     band = place_class < 0
     for _ in range(RINGS):
@@ -90,23 +92,35 @@ def side_evidence(
     number[asked] = np.arange(len(asked))
     corner = number[sector]
     counts = (corner >= 0) & jumps[corner]
-    blind = np.logical_or.reduceat((corner >= 0) & is_blind[corner], start)
+    is_told = np.logical_or.reduceat(counts, start) & (face_class >= 0)
+    is_told &= ~np.logical_or.reduceat((corner >= 0) & is_blind[corner], start)
+    told = np.flatnonzero(is_told)
+    if len(told):
+        chosen = ranges(surface.mesh.polygon_start, told)
+        first = np.append(0, np.cumsum(np.diff(surface.mesh.polygon_start)[told]))[:-1]
+        cost[told] = _costs(off, deviation, corner[chosen], counts[chosen], first)
+        own = np.isfinite(cost[told, face_class[told]])
+        is_told[told] = own & (np.isfinite(cost[told]).sum(axis=1) > 1)
+    return cost, is_told
+
+
+def _costs(
+    off: Floats, deviation: Floats, corner: Indices, counts: Flags, first: Indices
+) -> Floats:
+    """Return what classes cost polygons, given the places at their corners and which count."""
     # Beyond a seam the height grows with the square of the distance: the mean of roots tells on
     # which side the polygon's center lies.
     known = np.isfinite(deviation)
     root = np.full(off.shape, np.inf)
     root[known] = np.sqrt(np.maximum(off[known] - deviation[known], 0.0))
-    many = np.maximum(np.add.reduceat(counts.astype(np.float64), start), 1.0)[:, None]
-    far = (np.add.reduceat(np.where(counts[:, None], root[corner], 0.0), start) / many) ** 2
-    noise = np.maximum.reduceat(np.where(counts[:, None], deviation[corner], 0.0), start)
+    many = np.maximum(np.add.reduceat(counts.astype(np.float64), first), 1.0)[:, None]
+    far = (np.add.reduceat(np.where(counts[:, None], root[corner], 0.0), first) / many) ** 2
+    noise = np.maximum.reduceat(np.where(counts[:, None], deviation[corner], 0.0), first)
     is_known = np.isfinite(noise) & np.isfinite(far)
     worst = np.where(is_known, far, 0.0).max(axis=1, keepdims=True)
     scale = np.hypot(np.where(is_known, noise, 1.0), _RESOLUTION * worst)
     cost = 0.5 * (np.where(is_known, far, 0.0) / np.maximum(scale, 1e-300)) ** 2
-    cost = np.where(is_known, cost, np.inf)
-    is_told = is_known[np.arange(len(cost)), face_class.clip(0)] & (is_known.sum(axis=1) > 1)
-    is_told &= np.logical_or.reduceat(counts, start) & (face_class >= 0) & ~blind
-    return cost, is_told
+    return np.where(is_known, cost, np.inf)
 
 
 def _classes_around(surface: Surface, links: Indices, face_class: Indices) -> Flags:

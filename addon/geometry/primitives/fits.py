@@ -99,12 +99,13 @@ def refine(primitive: Primitive, points: Floats, floor: float) -> Primitive:
         share = _tukey(height, scatter)
         square = np.einsum("nd,nd->d", by, by) / len(points)
         scale = np.sqrt(np.maximum(square, 1e-24 * square.mean()))
-        columns = by / np.where(scale > 0.0, scale, 1.0)
+        scale[scale <= 0.0] = 1.0
+        columns = by / scale
         weighted = (share * share)[:, None] * columns
         system = columns.T @ weighted
-        system += damping * len(points) * np.eye(len(scale))
+        system.flat[:: len(scale) + 1] += damping * len(points)
         change = -np.linalg.solve(system, weighted.T @ height)
-        changed = primitive.changed(change / np.where(scale > 0.0, scale, 1.0))
+        changed = primitive.changed(change / scale)
         if changed.sizes and abs(changed.sizes[-1]) < _SMALLEST * extent * (
             changed.kind is not Kind.CONE
         ):
@@ -125,7 +126,8 @@ def _median(values: Floats) -> float:
     half = len(values) // 2
     if len(values) % 2:
         return float(np.partition(values, half)[half])
-    return float(np.partition(values, [half - 1, half])[half - 1 : half + 1].mean())
+    ordered = np.partition(values, [half - 1, half])
+    return 0.5 * float(ordered[half - 1] + ordered[half])
 
 
 def _tukey(height: Floats, scatter: float) -> Floats:
