@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..groups import sum_by_group
 from ..types import AnyArray, Flags, Floats, Graph, Indices
 
 #: Capacities of scipy's maximum flow are 32-bit whole numbers; sums of a few must fit too.
@@ -49,7 +50,7 @@ class CutProblem:
         the less is left to find.
         """
         many = len(self.surplus)
-        lost = np.bincount(self.a, flow, many) - np.bincount(self.b, flow, many)
+        lost = sum_by_group(self.a, flow, many) - sum_by_group(self.b, flow, many)
         return CutProblem(self.surplus - lost, self.a, self.b, self.forth - flow, self.back + flow)
 
     def part(self, items: Flags) -> tuple[CutProblem, Indices]:
@@ -68,8 +69,8 @@ class CutProblem:
         """Return the capacities of all arcs out of and into every item."""
         count = len(self.surplus)
         return (
-            np.bincount(self.a, self.forth, count) + np.bincount(self.b, self.back, count),
-            np.bincount(self.a, self.back, count) + np.bincount(self.b, self.forth, count),
+            sum_by_group(self.a, self.forth, count) + sum_by_group(self.b, self.back, count),
+            sum_by_group(self.a, self.back, count) + sum_by_group(self.b, self.forth, count),
         )
 
 

@@ -19,6 +19,8 @@ _MEDIAN = 1.4826
 _LEAST_DAMPING = 1e-10
 #: A step that changes lengths by no more than this share of the scatter of heights is the last.
 _DONE = 0.01
+#: Where heights scatter by this much more than is of use, a step must gain more than a percent.
+_HOPELESS, _GAIN = 3.0, 0.99
 #: The most curved surface that is still one, as a share of the points' extent: less is noise.
 _SMALLEST = 1e-3
 
@@ -71,7 +73,7 @@ def first_guesses(kind: Kind, points: Floats, normals: Floats) -> list[Primitive
     return guesses
 
 
-def refine(primitive: Primitive, points: Floats, floor: float) -> Primitive:
+def refine(primitive: Primitive, points: Floats, floor: float, most: float = np.inf) -> Primitive:
     """Return the primitive of the same kind nearest to points, outliers disregarded.
 
     Parameters
@@ -81,6 +83,9 @@ def refine(primitive: Primitive, points: Floats, floor: float) -> Primitive:
     points : (n, 3) float64
     floor : float
         Heights in meters below which nothing is to be gained; above 0.
+    most : float
+        Standard deviation of heights in meters above which nothing is of use: what stays far above
+        it is not refined to the end.
 
     Returns
     -------
@@ -101,17 +106,21 @@ def refine(primitive: Primitive, points: Floats, floor: float) -> Primitive:
         scale = np.sqrt(np.maximum(square, 1e-24 * square.mean()))
         scale[scale <= 0.0] = 1.0
         columns = by / scale
-        weighted = (share * share)[:, None] * columns
-        system = columns.T @ weighted
+        weighted: Floats = (share * share)[:, None] * columns
+        system: Floats = columns.T @ weighted
         system.flat[:: len(scale) + 1] += damping * len(points)
-        change = -np.linalg.solve(system, weighted.T @ height)
+        right: Floats = weighted.T @ height
+        change = np.asarray(-np.linalg.solve(system, right), dtype=np.float64)
         changed = primitive.changed(change / scale)
         if changed.sizes and abs(changed.sizes[-1]) < _SMALLEST * extent * (
             changed.kind is not Kind.CONE
         ):
             break
         new_height, new_by = changed.derivatives(points)
-        if _cost(_tukey(new_height, scatter)) <= _cost(share):
+        new_cost, cost = _cost(_tukey(new_height, scatter)), _cost(share)
+        if new_cost <= cost:
+            if scatter > _HOPELESS * most and new_cost > _GAIN * cost:
+                break
             primitive, height, by = changed, new_height, new_by
             damping = max(0.1 * damping, _LEAST_DAMPING)
             if np.abs(change).max() <= _DONE * scatter:
