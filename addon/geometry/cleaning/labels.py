@@ -13,7 +13,7 @@ from ..criterion import Criterion, classify_by
 from ..curvature import Curvature
 from ..links import smooth_links
 from ..surface import Surface
-from ..types import Flags, Floats, Indices, Progress
+from ..types import AnyArray, Flags, Floats, Indices, Progress
 from .likelihood import class_costs
 from .piece_evidence import PieceCosts
 from .potts import Flows, PottsProblem, minimize_potts
@@ -82,7 +82,7 @@ class Labeling:
     links: Indices
     weight: Floats
     fixed: Indices | None
-    flows: Flows = field(default_factory=list[tuple[Indices, Floats]])
+    flows: Flows = field(default_factory=list[tuple[AnyArray, AnyArray]])
 
     @staticmethod
     def of(

@@ -8,14 +8,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..types import Flags, Floats, Indices, Progress
+from ..types import AnyArray, Flags, Floats, Indices, Progress
 from .cuts import LARGEST, CutProblem, minimum_cut
 
 #: Rounds over all labels; two suffice almost always, the energy falls no further then.
 _ROUNDS = 3
 
-Flows = list[tuple[Indices, Floats]]
-"""Links and what went along them, in every step."""
+Flows = list[tuple[AnyArray, AnyArray]]
+"""Links and what went along them, in every step; whole numbers of 32 bits, as they are many."""
 
 
 @dataclass(frozen=True)
@@ -124,7 +124,7 @@ def minimize_potts(
             guess[flows[known][0]] = flows[known][1]
         expanded, flow = _expand(problem, labels, steps % label_count, is_free, guess[active])
         used = np.flatnonzero(flow)
-        flows[steps : steps + 1] = [(active[used], flow[used])]
+        flows[steps : steps + 1] = [(active[used].astype(np.int32), flow[used].astype(np.int32))]
         unchanged = unchanged + 1 if np.array_equal(expanded, labels) else 0
         labels = expanded
         steps += 1
