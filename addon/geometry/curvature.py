@@ -198,6 +198,7 @@ def with_sector_values(surface: Surface, curvature: Curvature, k1: Floats, k2: F
             error=curvature.uncertainty,
             noise=np.zeros(len(k1)),
         ),
+        touched,
     )
     face_k1, face_k2 = (
         np.where(touched, new, old)
@@ -206,7 +207,9 @@ def with_sector_values(surface: Surface, curvature: Curvature, k1: Floats, k2: F
     return replace(curvature, k1=k1, k2=k2, face_k1=face_k1, face_k2=face_k2)
 
 
-def _polygon_curvature(surface: Surface, estimate: Estimate) -> tuple[Floats, Floats]:
+def _polygon_curvature(
+    surface: Surface, estimate: Estimate, wanted: Flags | None = None
+) -> tuple[Floats, Floats]:
     from .engine.faces import polygon_curvature
     from .engine.turning import facets_of_polygons
 
@@ -216,4 +219,5 @@ def _polygon_curvature(surface: Surface, estimate: Estimate) -> tuple[Floats, Fl
         (surface.sector_triangles, surface.mesh.triangle_polygon),
         facets_of_polygons(surface.polygon_vector, surface.polygon_area),
         estimate,
+        wanted,
     )

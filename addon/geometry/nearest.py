@@ -8,37 +8,58 @@ from typing import Any
 
 import numpy as np
 
+from .threads import WORKERS
 from .types import AnyArray, Floats, Indices
 
+#: Places from which on several threads look for them.
+_MANY = 10_000
 
-def nearest(points: Floats, places: Floats, count: int, reach: float) -> tuple[Floats, Indices]:
-    """Return the points nearest to places.
+
+class PointFinder:
+    """Finds the points that are nearest to places, many times over.
 
     Parameters
     ----------
     points : (n, 3) float64
         At least one.
-    places : (p, 3) float64
-    count : int
-        How many points are asked for per place.
-    reach : float
-        What is farther does not count; in the points' unit.
-
-    Returns
-    -------
-    distance : (p, c) float64
-        Nearest first, c = min(count, n); infinite where there are fewer within reach.
-    index : (p, c) int64
-        Points; 0 where the distance is infinite.
     """
-    # scipy takes a noticeable part of a second to load, which Blender's start must not pay for.
-    from scipy.spatial import cKDTree
 
-    tree: Any = cKDTree(points)
-    distance, index = tree.query(
-        places, k=list(range(1, min(count, len(points)) + 1)), distance_upper_bound=reach
-    )
-    return distance, np.where(np.isfinite(distance), index, 0).astype(np.int64)
+    def __init__(self, points: Floats) -> None:
+        # scipy takes a noticeable part of a second to load, which Blender's start must not pay for.
+        from scipy.spatial import cKDTree
+
+        self._tree: Any = cKDTree(points)
+
+    def nearest(self, places: Floats, count: int, reach: float) -> tuple[Floats, Indices]:
+        """Return the points nearest to places.
+
+        Parameters
+        ----------
+        places : (p, 3) float64
+        count : int
+            How many points are asked for per place.
+        reach : float
+            What is farther does not count; in the points' unit.
+
+        Returns
+        -------
+        distance : (p, c) float64
+            Nearest first, c = min(count, n); infinite where there are fewer within reach.
+        index : (p, c) int64
+            Points; 0 where the distance is infinite.
+        """
+        distance, index = self._tree.query(
+            places,
+            k=list(range(1, min(count, self._tree.n) + 1)),
+            distance_upper_bound=reach,
+            workers=WORKERS if len(places) > _MANY else 1,
+        )
+        return distance, np.where(np.isfinite(distance), index, 0).astype(np.int64)
+
+
+def nearest(points: Floats, places: Floats, count: int, reach: float) -> tuple[Floats, Indices]:
+    """Return the points nearest to places, see `PointFinder.nearest`."""
+    return PointFinder(points).nearest(places, count, reach)
 
 
 def close_pairs(points: Floats, reach: float) -> Indices:

@@ -14,7 +14,7 @@ import threading
 import time
 from pathlib import Path
 
-from . import plots, report, whole_operator
+from . import plots, report, segmenting, whole_operator
 from .engine import ROOT
 from .peers import DEFAULT, LIMIT, METHODS, OURS
 
@@ -49,8 +49,15 @@ def run(*, quick: bool, largest: int) -> None:
                 )
                 print(lines[-1], flush=True)
                 curves.setdefault((kind, method), []).append((size, seconds))
+    segmentation = segmenting.measure(quick=quick, largest=largest)
     if not (quick or largest):
-        report.write({"speed": "\n".join(lines), "operator": whole_operator.measure()})
+        report.write(
+            {
+                "speed": "\n".join(lines),
+                "operator": whole_operator.measure(),
+                "segmentation": segmentation,
+            }
+        )
         plots.times(curves)
 
 

@@ -19,7 +19,7 @@ from ..regions import connect_regions
 from ..surface import Surface
 from ..types import Flags, Floats, Indices, Progress
 from .developability import reject_bent_rulings
-from .labels import FaceCurvature, class_of_sectors, label_faces, seam_evidence
+from .labels import FaceCurvature, Labeling, class_of_sectors, seam_evidence
 from .necks import split_at_necks
 from .piece_evidence import PieceCosts, piece_costs
 from .pieces import find_pieces
@@ -77,17 +77,18 @@ def clean_classes(
     CleanClasses
     """
     is_locked = None if locked is None else locked >= 0
-    k1, k2, evidence = seam_evidence(surface, curvature, criterion)
+    links = sector_links(surface)
+    k1, k2, evidence = seam_evidence(surface, links, curvature, criterion)
     sharp = with_sector_values(surface, curvature, k1, k2)
     faces = face_estimate(surface, sharp)
     part_of(on_progress, 0.0, 0.2)(1.0)
-    labels = label_faces(
-        surface, faces, criterion, evidence, locked, part_of(on_progress, 0.2, 0.4)
+    labeling = Labeling.of(surface, faces, criterion, evidence, locked)
+    labels = labeling.labels(part_of(on_progress, 0.2, 0.4))
+    on_pieces = _find_pieces(
+        surface, links, curvature, labels, criterion, part_of(on_progress, 0.4, 0.55)
     )
-    on_pieces = _find_pieces(surface, curvature, labels, criterion, part_of(on_progress, 0.4, 0.6))
     if on_pieces.is_near.any():
-        advance = part_of(on_progress, 0.6, 0.8)
-        labels = label_faces(surface, faces, criterion, evidence, locked, advance, on_pieces)
+        labels = labeling.labels(part_of(on_progress, 0.55, 0.8), on_pieces)
     is_kept = np.zeros(len(labels), dtype=np.bool_) if is_locked is None else is_locked
     if not min_area:
         min_area = default_min_area(surface, criterion)
@@ -126,6 +127,7 @@ def _without_bent(
 
 def _find_pieces(
     surface: Surface,
+    links: Indices,
     curvature: Curvature,
     labels: Indices,
     criterion: Criterion,
@@ -134,7 +136,7 @@ def _find_pieces(
     pieces = find_pieces(
         surface.sector_position,
         curvature.normal,
-        sector_links(surface),
+        links,
         np.where(curvature.is_defined, class_of_sectors(surface, labels), -1),
         curvature.mean,
         rim_sectors(surface),

@@ -173,8 +173,12 @@ def _forms(surface: Surface, curvature: Curvature, faces: Indices) -> tuple[Floa
 def _cells(center: Floats, region: Indices, side: float) -> tuple[Indices, int]:
     """Return the cell of every polygon: a cube of space within one region."""
     box = np.floor((center - center.min(axis=0)) / side).astype(np.int64)
-    names, cell = np.unique(np.c_[region, box], axis=0, return_inverse=True)
-    return cell.reshape(-1).astype(np.int64), len(names)
+    order = np.lexsort((box[:, 2], box[:, 1], box[:, 0], region))
+    ordered = np.c_[region, box][order]
+    is_new = np.append(True, (ordered[1:] != ordered[:-1]).any(axis=1))
+    cell = np.empty(len(order), dtype=np.int64)
+    cell[order] = np.cumsum(is_new) - 1
+    return cell, int(is_new.sum())
 
 
 def _means(cell: Indices, values: Floats, weight: Floats, count: int, total: Floats) -> Floats:

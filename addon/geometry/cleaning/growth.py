@@ -168,7 +168,7 @@ def _fitted(
     points = places.position[sample]
     guesses = [guess] if guess is not None else first_guesses(kind, points, places.normal[sample])
     for each in guesses:
-        primitive = refine(each, points, places.exact)
+        primitive = refine(each, points, places.exact, places.most)
         scatter = _noise_left(places, members, primitive)
         if scatter is not None:
             return primitive, scatter

@@ -102,10 +102,13 @@ def _grow(piece: Indices, part_area: Floats, links: Indices) -> Indices:
     own = np.concatenate([links[:, 0], links[:, 1]])
     other = np.concatenate([links[:, 1], links[:, 0]])
     while True:
-        open_ = (piece[own] < 0) & (piece[other] >= 0)
-        if not open_.any():
+        is_free = piece[own] < 0
+        own, other = own[is_free], other[is_free]
+        source = piece[other]
+        reached = np.flatnonzero(source >= 0)
+        if not len(reached):
             return piece
-        face, source = own[open_], piece[other[open_]]
+        face, source = own[reached], source[reached]
         order = np.argsort(size[source], kind="stable")
         piece = piece.copy()
         piece[face[order]] = source[order]

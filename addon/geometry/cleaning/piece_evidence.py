@@ -22,6 +22,8 @@ _STRANGER = 4.5
 #: Square of the standard deviations beyond which a point is as far off as can be.
 _WORST = 1e6
 _RULED = (Kind.PLANE, Kind.CYLINDER, Kind.CONE)
+#: Bent by the same everywhere.
+_EVEN = (Kind.PLANE, Kind.SPHERE, Kind.CYLINDER)
 _CLASSES = 4
 
 
@@ -125,9 +127,11 @@ def piece_costs(surface: Surface, pieces: Sequence[Piece], criterion: Criterion)
         # on which side the polygon's center lies.
         root = np.add.reduceat(np.sqrt(np.abs(height)), first) / many
         misfit = 0.5 * many * np.minimum(root**4, _WORST)
-        k1, k2 = piece.primitive.bends(np.add.reduceat(position, first, axis=0) / many[:, None])
-        by_class = class_costs(k1, k2, np.full(len(faces), piece.doubt), criterion)
-        by_class += misfit[:, None]
+        center = np.add.reduceat(position, first, axis=0) / many[:, None]
+        if piece.primitive.kind in _EVEN:
+            center = center[:1]
+        k1, k2 = piece.primitive.bends(center)
+        by_class = class_costs(k1, k2, np.full(len(k1), piece.doubt), criterion) + misfit[:, None]
         is_better = by_class < cost[faces]
         best[faces] = np.where(is_better, number, best[faces])
         cost[faces] = np.where(is_better, by_class, cost[faces])

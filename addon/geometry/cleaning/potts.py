@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Minimum cuts: the labels that agree best with the data at the shortest borders between them."""
+"""Labels by minimum cuts: those that agree best with the data at the shortest borders."""
 
 from __future__ import annotations
 
@@ -8,13 +8,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..types import AnyArray, Flags, Floats, Graph, Indices, Progress
-
-#: Capacities of scipy's maximum flow are 32-bit whole numbers; sums of a few must fit too.
-_LARGEST = 2**27
+from ..types import AnyArray, Flags, Floats, Indices, Progress
+from .cuts import LARGEST, CutProblem, minimum_cut
 
 #: Rounds over all labels; two suffice almost always, the energy falls no further then.
 _ROUNDS = 3
+
+Flows = list[tuple[AnyArray, AnyArray]]
+"""Links and what went along them, in every step; whole numbers of 32 bits, as they are many."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +68,10 @@ def settled_items(problem: PottsProblem, labels: Indices) -> Flags:
 
 
 def minimize_potts(
-    problem: PottsProblem, fixed: Indices | None = None, on_progress: Progress | None = None
+    problem: PottsProblem,
+    fixed: Indices | None = None,
+    on_progress: Progress | None = None,
+    flows: Flows | None = None,
 ) -> Indices:
     """Return labels of low energy, by alpha expansion.
 
@@ -81,6 +85,9 @@ def minimize_potts(
         Labels that are given; -1 where free.
     on_progress : callable, optional
         Receives the share of the work that is done.
+    flows : list of pairs of (f,) arrays, optional
+        Links, and what went along them, in every step of a similar problem with the same links and
+        weights, from which this one is solved faster; is replaced by its own.
 
     Returns
     -------
@@ -101,16 +108,41 @@ def minimize_potts(
     is_free &= ~settled_items(problem, labels) | (
         False if fixed is None else _near(problem, fixed >= 0)
     )
+    # Links between what cannot move decide nothing.
+    link_count = len(problem.links)
+    active = np.flatnonzero(is_free[problem.links].any(axis=1))
+    problem = _in_whole_numbers(problem)
+    problem = PottsProblem(problem.cost, problem.links[active], problem.weight[active])
     label_count = problem.cost.shape[1]
+    flows = [] if flows is None else flows
     steps, unchanged = 0, 0
     while unchanged < label_count and steps < _ROUNDS * label_count:
-        expanded = _expand(problem, labels, steps % label_count, is_free)
+        # A step is most like the same step of a similar problem, then like its last on this label.
+        known = steps if steps < len(flows) else steps - label_count
+        guess = np.zeros(link_count)
+        if 0 <= known < len(flows):
+            guess[flows[known][0]] = flows[known][1]
+        expanded, flow = _expand(problem, labels, steps % label_count, is_free, guess[active])
+        used = np.flatnonzero(flow)
+        flows[steps : steps + 1] = [(active[used].astype(np.int32), flow[used].astype(np.int32))]
         unchanged = unchanged + 1 if np.array_equal(expanded, labels) else 0
         labels = expanded
         steps += 1
         if on_progress:
             on_progress(steps / (_ROUNDS * label_count))
     return labels
+
+
+def _in_whole_numbers(problem: PottsProblem) -> PottsProblem:
+    """Return the problem in units so small that they decide nothing, in which sums are exact."""
+    count = len(problem.cost)
+    around = np.bincount(problem.links.T.reshape(-1), np.tile(problem.weight, 2), count)
+    largest = float(around.max(initial=0.0))
+    unit = largest / (LARGEST / 4) if largest > 0.0 else 1.0
+    # Expansions split weights in two halves.
+    return PottsProblem(
+        np.round(problem.cost / unit), problem.links, 2.0 * np.round(0.5 * problem.weight / unit)
+    )
 
 
 def _near(problem: PottsProblem, chosen: Flags) -> Flags:
@@ -120,83 +152,46 @@ def _near(problem: PottsProblem, chosen: Flags) -> Flags:
     return near & ~chosen
 
 
-def _expand(problem: PottsProblem, labels: Indices, label: int, is_free: Flags) -> Indices:
-    """Let free items change to one label where that lowers the energy."""
+def _expand(
+    problem: PottsProblem, labels: Indices, label: int, is_free: Flags, flow: Floats
+) -> tuple[Indices, Floats]:
+    """Let free items change to one label where that lowers the energy.
+
+    Takes a guess of the flow along the links, and returns the flow.
+    """
     is_moving = is_free & (labels != label)
     moving = np.flatnonzero(is_moving)
     if not len(moving):
-        return labels
+        return labels, flow
     number = np.full(len(labels), -1, dtype=np.int64)
     number[moving] = np.arange(len(moving))
-    keep = problem.cost[moving, labels[moving]]
-    change = problem.cost[moving, label]
-    touching = is_moving[problem.links[:, 0]] | is_moving[problem.links[:, 1]]
-    links, weight = problem.links[touching], problem.weight[touching]
-    one, other = links[:, 0], links[:, 1]
-    both = is_moving[one] & is_moving[other]
+    surplus = problem.cost[moving, labels[moving]] - problem.cost[moving, label]
+    one, other = problem.links.T
+    one_moves, other_moves = is_moving[one], is_moving[other]
 
     # One end cannot move: the cost falls on the other end alone.
-    for own, neighbor in ((one, other), (other, one)):
-        alone = is_moving[own] & ~is_moving[neighbor]
-        item = number[own[alone]]
-        keep += np.bincount(
-            item, weight[alone] * (labels[own[alone]] != labels[neighbor[alone]]), len(moving)
-        )
-        change += np.bincount(item, weight[alone] * (labels[neighbor[alone]] != label), len(moving))
+    for own, neighbor, alone in (
+        (one, other, np.flatnonzero(one_moves & ~other_moves)),
+        (other, one, np.flatnonzero(other_moves & ~one_moves)),
+    ):
+        item, beside = own[alone], labels[neighbor[alone]]
+        worth = (labels[item] != beside).astype(np.float64) - (beside != label)
+        surplus += np.bincount(number[item], problem.weight[alone] * worth, len(moving))
 
     # Both ends may move: E(keep, keep) = w [unlike], E(keep, change) = E(change, keep) = w,
     # E(change, change) = 0. As in Kolmogorov and Zabih (2004) the part that is not an arc from
-    # keep to change becomes a cost of single items.
-    a, b, w = number[one[both]], number[other[both]], weight[both]
-    unlike = labels[one[both]] != labels[other[both]]
-    # keeping a costs w [unlike]; changing a while b keeps costs the rest; the arc a -> b takes it.
-    keep += 0.5 * (
-        np.bincount(a, w * unlike, len(moving)) + np.bincount(b, w * unlike, len(moving))
-    )
-    arc = np.where(unlike, 0.5 * w, w)
-    moves = _changing_side(keep, change, a, b, arc)
+    # keep to change becomes a cost of single items: keeping a costs w [unlike]; changing a while b
+    # keeps costs the rest; the arc a -> b takes it.
+    both = np.flatnonzero(one_moves & other_moves)
+    a, b = one[both], other[both]
+    half = np.where(labels[a] != labels[b], 0.5 * problem.weight[both], 0.0)
+    arc = problem.weight[both] - half
+    a, b = number[a], number[b]
+    surplus += np.bincount(a, half, len(moving)) + np.bincount(b, half, len(moving))
+    guess = np.clip(flow[both], -arc, arc)
+    moves, more = minimum_cut(CutProblem(surplus, a, b, arc, arc).sent(guess))
     result = labels.copy()
     result[moving[moves]] = label
-    return result
-
-
-def _changing_side(keep: Floats, change: Floats, a: Indices, b: Indices, arc: Floats) -> Flags:
-    """Return which items change in the minimum cut that changes fewest.
-
-    An item on the source's side changes; it then pays `change`, one on the sink's side `keep`.
-    """
-    count = len(keep)
-    surplus = keep - change
-    around = np.bincount(a, arc, count) + np.bincount(b, arc, count)
-    # Who gains more than all its arcs cost changes in any case, lonely items among them.
-    is_certain = surplus > around
-    # Larger capacities than all arcs of an item together decide nothing more.
-    surplus = np.clip(surplus, -1.001 * around, 1.001 * around)
-    largest = float(max(arc.max(initial=0.0), np.abs(surplus).max(initial=0.0)))
-    if not largest > 0.0 or not (surplus > 0.0).any():
-        return is_certain
-    scale = _LARGEST / largest
-    source, sink = count, count + 1
-    gains, losses = np.flatnonzero(surplus > 0.0), np.flatnonzero(surplus < 0.0)
-    row = np.concatenate([a, b, np.full(len(gains), source), losses])
-    column = np.concatenate([b, a, gains, np.full(len(losses), sink)])
-    capacity = np.round(
-        scale * np.concatenate([arc, arc, surplus[gains], -surplus[losses]])
-    ).astype(np.int32)
-    changes = np.zeros(count + 2, dtype=np.bool_)
-    changes[_source_side(row, column, capacity, count)] = True
-    return changes[:count] | is_certain
-
-
-def _source_side(row: Indices, column: Indices, capacity: AnyArray, count: int) -> AnyArray:
-    """Return what the source `count` reaches beside a maximum flow to the sink `count + 1`."""
-    # scipy takes a noticeable part of a second to load, which Blender's start must not pay for.
-    from scipy.sparse import csr_matrix
-    from scipy.sparse.csgraph import breadth_first_order, maximum_flow
-
-    graph: Graph = csr_matrix((capacity, (row, column)), shape=(count + 2, count + 2))
-    graph.indices, graph.indptr = graph.indices.astype(np.int32), graph.indptr.astype(np.int32)
-    residual: Graph = graph - maximum_flow(graph, count, count + 1).flow
-    residual.data = np.maximum(residual.data, 0)
-    residual.eliminate_zeros()
-    return breadth_first_order(residual, count, return_predecessors=False)
+    found = np.zeros(len(flow))
+    found[both] = guess + more
+    return result, found

@@ -17,7 +17,8 @@ import numpy as np
 
 from ..curvature import Curvature
 from ..links import typical_length
-from ..nearest import nearest
+from ..nearest import PointFinder
+from ..threads import in_parallel, joined
 from ..types import Flags, Floats, Indices
 
 #: A neighborhood is calm where curvature differs by less than this share of itself …
@@ -45,6 +46,8 @@ NO_MODEL = 3.0
 _REFUTED = 10.0
 
 _CLASSES = 4
+#: Places at a time: what is computed of them stays in the processor's cache.
+_CHUNK = 2048
 
 
 @dataclass(frozen=True)
@@ -113,8 +116,7 @@ def find_seams(
     best = np.full(len(doubtful), np.inf)
     for surface_class in np.unique(place_class[is_calm & (place_class >= 0)]):
         calm = np.flatnonzero(is_calm & (place_class == surface_class))
-        distance, near = nearest(position[calm], position[doubtful], _ASKED, _REACH * edge)
-        fit = _continue(position, curvature, doubtful, calm, distance, near)
+        fit = _continue_all(position, curvature, doubtful, calm, _REACH * edge)
         cost[doubtful, surface_class] = np.where(
             fit.is_found, 0.5 * np.minimum(fit.misfit, _REFUTED) ** 2, NO_MODEL
         )
@@ -134,6 +136,19 @@ class _Continuation:
     is_explained: Flags
     k1: Floats
     k2: Floats
+
+
+def _continue_all(
+    position: Floats, curvature: Curvature, doubtful: Indices, calm: Indices, reach: float
+) -> _Continuation:
+    finder = PointFinder(position[calm])
+
+    def work(start: int) -> _Continuation:
+        part = doubtful[start : start + _CHUNK]
+        distance, near = finder.nearest(position[part], _ASKED, reach)
+        return _continue(position, curvature, part, calm, distance, near)
+
+    return joined(in_parallel(work, range(0, len(doubtful), _CHUNK)))
 
 
 def _continue(

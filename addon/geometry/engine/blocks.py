@@ -4,20 +4,17 @@
 
 from __future__ import annotations
 
-import os
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
 
+from ..threads import in_parallel
 from ..types import AnyArray, Coordinates, Graph, Progress
 from .jet_fit import UNDETERMINED, JetOptions, fit_jets, shape_operator
 from .neighborhoods import padded_table, rings
 
 #: Vertices whose rings are walked together: bounds the memory of the rows.
 ROWS = 10_000
-#: Threads: more gain little, as memory is what they wait for.
-WORKERS = min(4, os.cpu_count() or 1)
 #: Table entries (neighbors times vertices) worked on at once: what stays in the processor's cache.
 ENTRIES = 60_000
 
@@ -81,10 +78,8 @@ def fit_into(
 ) -> None:
     """Fit the chosen vertices over so many rings and store what was found.
 
-    Blocks of vertices are independent, and numpy lets go of the interpreter while it works: two or
-    more processors share them.
+    Blocks of vertices are independent: two or more processors share them.
     """
-    starts = range(0, len(vertices), ROWS)
 
     def work(start: int) -> None:
         if on_progress:
@@ -92,12 +87,7 @@ def fit_into(
         block = vertices[start : start + ROWS]
         _fit_block(fit, coordinates, rings(graph, walk, block, ring), normals, block, options)
 
-    if len(starts) < 2 or WORKERS < 2:
-        for start in starts:
-            work(start)
-        return
-    with ThreadPoolExecutor(WORKERS) as workers:
-        list(workers.map(work, starts))
+    in_parallel(work, range(0, len(vertices), ROWS))
 
 
 def _fit_block(

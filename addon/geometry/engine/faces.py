@@ -64,6 +64,7 @@ def polygon_curvature(
     triangles: tuple[AnyArray, AnyArray],
     facets: Facets,
     curvature: Estimate,
+    wanted: AnyArray | None = None,
 ) -> tuple[AnyArray, AnyArray]:
     """Return k1 >= k2 of every polygon, (f,) each, in 1/m; 0 for a polygon without area.
 
@@ -77,6 +78,8 @@ def polygon_curvature(
     facets : Facets
     curvature : Estimate
         The estimate at the vertices. Singular and undefined vertices do not count.
+    wanted : (f,) bool, optional
+        Polygons that are asked for; what is returned for others has no meaning.
     """
     vertex, start = corners
     counts = (curvature.quality >= 0)[vertex]
@@ -90,14 +93,18 @@ def polygon_curvature(
         most=np.maximum.reduceat(np.where(counts, size, 0.0), start[:-1]),
         facets=facets,
     )
-    k1, k2 = _mean_of_corners(each, curvature)
-    _judge_seams(each, positions, triangles, curvature, k1, k2)
+    if wanted is None:
+        wanted = np.ones(len(total), dtype=bool)
+    k1, k2 = _mean_of_corners(each, curvature, wanted)
+    _judge_seams(each, positions, triangles, curvature, (k1, k2), wanted)
     none = (facets.area <= 0) | (total == 0)
     k1[none], k2[none] = 0.0, 0.0
     return k1, k2
 
 
-def _mean_of_corners(each: _Polygons, curvature: Estimate) -> tuple[AnyArray, AnyArray]:
+def _mean_of_corners(
+    each: _Polygons, curvature: Estimate, wanted: AnyArray
+) -> tuple[AnyArray, AnyArray]:
     tensor = from_principal(
         curvature.k1, curvature.k2, curvature.direction_1, curvature.direction_2
     )
@@ -110,7 +117,8 @@ def _mean_of_corners(each: _Polygons, curvature: Estimate) -> tuple[AnyArray, An
     k1, k2 = eigenvalues_in_plane(mean)
     # a tensor seen from a leaning plane is foreshortened: on coarse meshes corners are turned into
     # the face's plane first
-    coarse = np.flatnonzero((each.most * np.sqrt(each.facets.area) > EVEN) & (each.total > 0))
+    coarse = (each.most * np.sqrt(each.facets.area) > EVEN) & (each.total > 0)
+    coarse = np.flatnonzero(coarse & wanted)
     if len(coarse):
         k1[coarse], k2[coarse] = _turned_mean(each, curvature, coarse)
     return k1, k2
@@ -152,16 +160,17 @@ def _judge_seams(
     positions: AnyArray,
     triangles: tuple[AnyArray, AnyArray],
     curvature: Estimate,
-    k1: AnyArray,
-    k2: AnyArray,
+    k: tuple[AnyArray, AnyArray],
+    wanted: AnyArray,
 ) -> None:
-    """Overwrite the curvature of polygons beside seams by that of their own side."""
+    """Overwrite the curvature k1, k2 of polygons beside seams by that of their own side."""
+    k1, k2 = k
     least, most, facets = each.least, each.most, each.facets
     # a single triangle's turn says little
     many_sided = np.diff(each.member.indptr) > 3
     seam = facets.is_planar & (most > SEAM * least) & (each.total > 0)
     plate = facets.is_planar & many_sided & (least * np.sqrt(facets.area) > PLATE)
-    chosen = np.flatnonzero(seam | plate)
+    chosen = np.flatnonzero((seam | plate) & wanted)
     if not len(chosen):
         return
     tensor, is_open = turn_of_polygons(positions, *triangles, facets, chosen)

@@ -19,6 +19,8 @@ _MEDIAN = 1.4826
 _LEAST_DAMPING = 1e-10
 #: A step that changes lengths by no more than this share of the scatter of heights is the last.
 _DONE = 0.01
+#: Where heights scatter by this much more than is of use, a step must gain more than a percent.
+_HOPELESS, _GAIN = 3.0, 0.99
 #: The most curved surface that is still one, as a share of the points' extent: less is noise.
 _SMALLEST = 1e-3
 
@@ -71,7 +73,7 @@ def first_guesses(kind: Kind, points: Floats, normals: Floats) -> list[Primitive
     return guesses
 
 
-def refine(primitive: Primitive, points: Floats, floor: float) -> Primitive:
+def refine(primitive: Primitive, points: Floats, floor: float, most: float = np.inf) -> Primitive:
     """Return the primitive of the same kind nearest to points, outliers disregarded.
 
     Parameters
@@ -81,6 +83,9 @@ def refine(primitive: Primitive, points: Floats, floor: float) -> Primitive:
     points : (n, 3) float64
     floor : float
         Heights in meters below which nothing is to be gained; above 0.
+    most : float
+        Standard deviation of heights in meters above which nothing is of use: what stays far above
+        it is not refined to the end.
 
     Returns
     -------
@@ -95,20 +100,27 @@ def refine(primitive: Primitive, points: Floats, floor: float) -> Primitive:
     damping = _LEAST_DAMPING
     height, by = primitive.derivatives(points)
     for _ in range(_STEPS):
-        scatter = max(_MEDIAN * float(np.median(np.abs(height))), floor)
-        weight = _tukey(height, scatter)
-        scale = np.maximum(np.sqrt((by * by).mean(axis=0)), 1e-12 * np.sqrt((by * by).mean()))
-        columns = by / np.where(scale > 0.0, scale, 1.0)
-        system = columns.T @ (weight[:, None] * columns)
-        system += damping * len(points) * np.eye(len(scale))
-        change = -np.linalg.solve(system, columns.T @ (weight * height))
-        changed = primitive.changed(change / np.where(scale > 0.0, scale, 1.0))
+        scatter = max(_MEDIAN * _median(np.abs(height)), floor)
+        share = _tukey(height, scatter)
+        square = np.einsum("nd,nd->d", by, by) / len(points)
+        scale = np.sqrt(np.maximum(square, 1e-24 * square.mean()))
+        scale[scale <= 0.0] = 1.0
+        columns = by / scale
+        weighted: Floats = (share * share)[:, None] * columns
+        system: Floats = columns.T @ weighted
+        system.flat[:: len(scale) + 1] += damping * len(points)
+        right: Floats = weighted.T @ height
+        change = np.asarray(-np.linalg.solve(system, right), dtype=np.float64)
+        changed = primitive.changed(change / scale)
         if changed.sizes and abs(changed.sizes[-1]) < _SMALLEST * extent * (
             changed.kind is not Kind.CONE
         ):
             break
         new_height, new_by = changed.derivatives(points)
-        if _cost(new_height, scatter) <= _cost(height, scatter):
+        new_cost, cost = _cost(_tukey(new_height, scatter)), _cost(share)
+        if new_cost <= cost:
+            if scatter > _HOPELESS * most and new_cost > _GAIN * cost:
+                break
             primitive, height, by = changed, new_height, new_by
             damping = max(0.1 * damping, _LEAST_DAMPING)
             if np.abs(change).max() <= _DONE * scatter:
@@ -118,13 +130,25 @@ def refine(primitive: Primitive, points: Floats, floor: float) -> Primitive:
     return primitive
 
 
+def _median(values: Floats) -> float:
+    """Return the median; without the checks of numpy's, which cost more than finding it."""
+    half = len(values) // 2
+    if len(values) % 2:
+        return float(np.partition(values, half)[half])
+    ordered = np.partition(values, [half - 1, half])
+    return 0.5 * float(ordered[half - 1] + ordered[half])
+
+
 def _tukey(height: Floats, scatter: float) -> Floats:
-    return np.maximum(1.0 - (height / (_TUKEY * scatter)) ** 2, 0.0) ** 2
+    """Return the roots of Tukey's weights."""
+    share = height / (_TUKEY * scatter)
+    share *= share
+    return np.maximum(1.0 - share, 0.0)
 
 
-def _cost(height: Floats, scatter: float) -> float:
-    """Return what Tukey's weights minimize, up to a factor."""
-    return float((1.0 - np.maximum(1.0 - (height / (_TUKEY * scatter)) ** 2, 0.0) ** 3).sum())
+def _cost(share: Floats) -> float:
+    """Return what Tukey's weights minimize, up to a factor, given their roots."""
+    return float((1.0 - share * share * share).sum())
 
 
 def _center(points: Floats) -> tuple[Floats, float]:

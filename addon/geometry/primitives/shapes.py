@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import Enum
 
@@ -88,7 +89,8 @@ class Primitive:
         else:
             off = rho - self.sizes[0]
             columns = [-nx, -ny, -nz, *turns, -off / np.maximum(np.hypot(off, z), _TINY), -one]
-        return height, np.stack(columns, axis=1)
+        # Each column in one stretch of memory.
+        return height, np.stack(columns).T
 
     def changed(self, change: Floats) -> Primitive:
         """Return the surface after a change of the quantities that `derivatives` derives by."""
@@ -132,7 +134,7 @@ class Primitive:
 
     def _measured(self, points: Floats) -> tuple[Floats, Floats, Floats]:
         """Return heights, points and normals in the own frame."""
-        local = (points - self.origin) @ self.frame.T
+        local = (self.frame @ (points - self.origin).T).T
         x, y, z = local.T
         if self.kind is Kind.PLANE:
             return z, local, np.broadcast_to([0.0, 0.0, 1.0], local.shape)
@@ -153,14 +155,23 @@ class Primitive:
             height = size - self.sizes[1]
             radial, along = off / np.maximum(size, _TINY), z / np.maximum(size, _TINY)
         radial = radial / np.maximum(rho, _TINY)
-        return height, local, np.stack([radial * x, radial * y, along], axis=1)
+        return height, local, np.stack([radial * x, radial * y, along]).T
 
 
 def frame_of(axis: Floats) -> Floats:
     """Return an orthonormal right-handed frame, rows x, y, z, whose z is along an axis."""
-    z = np.asarray(axis / max(float(np.linalg.norm(axis)), _TINY), dtype=np.float64)
-    least = np.zeros(3)
-    least[int(np.argmin(np.abs(z)))] = 1.0
-    x = np.cross(least, z)
-    x = np.asarray(x / max(float(np.linalg.norm(x)), _TINY), dtype=np.float64)
-    return np.stack([x, np.asarray(np.cross(z, x), dtype=np.float64), z])
+    # In plain numbers: numpy takes twenty times as long for three, and fits need many frames.
+    a, b, c = _unit(*axis.tolist())
+    least = min(abs(a), abs(b), abs(c))
+    if abs(a) == least:
+        d, e, f = _unit(0.0, -c, b)
+    elif abs(b) == least:
+        d, e, f = _unit(c, 0.0, -a)
+    else:
+        d, e, f = _unit(-b, a, 0.0)
+    return np.array([[d, e, f], [b * f - c * e, c * d - a * f, a * e - b * d], [a, b, c]])
+
+
+def _unit(x: float, y: float, z: float) -> tuple[float, float, float]:
+    size = max(math.sqrt(x * x + y * y + z * z), _TINY)
+    return x / size, y / size, z / size
