@@ -49,7 +49,7 @@ def measured_along_borders(
     Regions
         Of the same polygons; the sum of all areas is the same.
     """
-    crossings = find_crossings(surface, regions, is_locked)
+    crossings = find_crossings(surface, regions.face_region, regions.region_class, is_locked)
     level = corner_levels(surface, curvature, criterion, crossings, on_pieces)
     moved = _share_above(surface, crossings, level) * surface.polygon_area[crossings.face]
     own = regions.face_region[crossings.face]

@@ -23,6 +23,7 @@ from .labels import FaceCurvature, Labeling, class_of_sectors, seam_evidence
 from .necks import split_at_necks
 from .piece_evidence import PieceCosts, piece_costs
 from .pieces import find_pieces
+from .settling import settle_at_seams
 from .sizes import default_min_area, worth_telling
 
 #: Share of the curvature's difference between the corners that a polygon's own is uncertain by.
@@ -89,6 +90,7 @@ def clean_classes(
     )
     if on_pieces.is_near.any():
         labels = labeling.labels(part_of(on_progress, 0.55, 0.8), on_pieces)
+        labels = settle_at_seams(surface, criterion, labels, on_pieces, is_locked)
     is_kept = np.zeros(len(labels), dtype=np.bool_) if is_locked is None else is_locked
     if not min_area:
         min_area = default_min_area(surface, criterion)

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..groups import ranges
-from ..regions import Regions
 from ..surface import Surface
 from ..types import Flags, Indices
 
@@ -30,11 +29,23 @@ class Crossings:
     is_border: Flags
 
 
-def find_crossings(surface: Surface, regions: Regions, is_locked: Flags | None) -> Crossings:
-    """Find polygons with a corner where another class begins, and the region most of it is of."""
-    corner_region = regions.face_region[surface.mesh.corner_polygon]
+def find_crossings(
+    surface: Surface, face_region: Indices, region_class: Indices, is_locked: Flags | None
+) -> Crossings:
+    """Find polygons with a corner where another class begins, and the region most of it is of.
+
+    Parameters
+    ----------
+    surface : Surface
+    face_region : (m,) int64
+        Region of every polygon, negative without.
+    region_class : (r,) int64
+    is_locked : (m,) bool, optional
+        Polygons that are not asked.
+    """
+    corner_region = face_region[surface.mesh.corner_polygon]
     known = np.flatnonzero(corner_region >= 0)
-    count = max(regions.count, 1)
+    count = max(len(region_class), 1)
     keys = np.unique(surface.corner_sector[known] * count + corner_region[known])
     sector, region = np.divmod(keys, count)
     start = np.searchsorted(sector, np.arange(surface.sector_count + 1))
@@ -45,7 +56,7 @@ def find_crossings(surface: Surface, regions: Regions, is_locked: Flags | None) 
     many = np.diff(start)[surface.corner_sector[corner]]
     other = region[ranges(start, surface.corner_sector[corner])]
     face = np.repeat(surface.mesh.corner_polygon[corner], many)
-    is_other = regions.region_class[other] != regions.region_class[regions.face_region[face]]
+    is_other = region_class[other] != region_class[face_region[face]]
     pairs, often = np.unique(face[is_other] * count + other[is_other], return_counts=True)
     face, other = np.divmod(pairs, count)
     # The last of a polygon's rows in this order is the region that most of its corners touch.
@@ -57,8 +68,8 @@ def find_crossings(surface: Surface, regions: Regions, is_locked: Flags | None) 
     return Crossings(
         face=face,
         beyond=other,
-        own_class=regions.region_class[regions.face_region[face]],
-        beyond_class=regions.region_class[other],
+        own_class=region_class[face_region[face]],
+        beyond_class=region_class[other],
         corner=corner,
         row=np.repeat(np.arange(len(face)), np.diff(surface.mesh.polygon_start)[face]),
         is_border=is_border[surface.corner_sector[corner]],

@@ -14,10 +14,14 @@ from ..classification import SurfaceClass
 from ..criterion import Criterion
 from ..curvature import Curvature
 from ..groups import sum_by_group
+from ..primitives.shapes import Kind
 from ..surface import Surface
-from ..types import Floats, Indices
+from ..types import Flags, Floats, Indices
 from .crossings import Crossings
 from .piece_evidence import PieceCosts
+
+#: Surfaces on which a limit may be reached.
+_VARIED = (Kind.CONE, Kind.TORUS)
 
 
 def corner_levels(
@@ -39,8 +43,8 @@ def corner_levels(
     rows = np.arange(len(sector))
     level = _beyond_limit(curvature.k1[sector], curvature.k2[sector], crossings, criterion, rows)
     level[~curvature.is_defined[sector]] = np.nan
-    _set_by_pieces(level, crossings, surface, criterion, on_pieces)
-    return level
+    by_pieces, is_beside = piece_levels(surface, criterion, crossings, on_pieces)
+    return np.where(is_beside, by_pieces, level)
 
 
 def _beyond_limit(
@@ -76,18 +80,25 @@ def _quantities(k1: Floats, k2: Floats, criterion: Criterion) -> tuple[Floats, F
     return np.maximum(size_1, size_2), np.sign(k1 * k2) * np.minimum(size_1, size_2)
 
 
-def _set_by_pieces(
-    level: Floats,
-    crossings: Crossings,
-    surface: Surface,
-    criterion: Criterion,
-    on_pieces: PieceCosts,
-) -> None:
-    """Set levels by the surfaces that meet in the border, or the one that it runs across."""
+def piece_levels(
+    surface: Surface, criterion: Criterion, crossings: Crossings, on_pieces: PieceCosts
+) -> tuple[Floats, Flags]:
+    """Return levels by the surfaces that meet in the border, or the one that it runs across.
+
+    Returns
+    -------
+    (k,) float64
+        As `corner_levels`; NaN where pieces do not tell.
+    (k,) bool
+        Corners of polygons on or beside a piece: where the other side of the border is none, its
+        curvature is blurred by the piece, and tells nothing.
+    """
+    level = np.full(len(crossings.corner), np.nan)
     nearest = on_pieces.nearest[crossings.face]
     rows = np.arange(len(crossings.face))
     own, beyond = nearest[rows, crossings.own_class], nearest[rows, crossings.beyond_class]
     is_seam = ((own >= 0) & (beyond >= 0))[crossings.row]
+    is_on = on_pieces.is_settled[crossings.face][crossings.row]
     own, beyond = own[crossings.row], beyond[crossings.row]
     position = surface.sector_position[surface.corner_sector[crossings.corner]]
     sides = [(own, *_nothing(len(own))), (beyond, *_nothing(len(own)))]
@@ -98,11 +109,14 @@ def _set_by_pieces(
             chosen = np.flatnonzero(is_seam & (piece == number))
             height[chosen] = primitive.heights(position[chosen])
             normal[chosen] = primitive.normals(position[chosen])
-        inside = np.flatnonzero(~is_seam & ((own == number) | (beyond == number)))
+        if primitive.kind not in _VARIED:
+            continue
+        inside = np.flatnonzero(~is_seam & is_on & ((own == number) | (beyond == number)))
         k1, k2 = primitive.bends(position[inside])
         level[inside] = _beyond_limit(k1, k2, crossings, criterion, inside)
     across = _way_across(crossings, position)[crossings.row]
     level[is_seam] = _beyond_seam(sides[0][1:], sides[1][1:], across)[is_seam]
+    return level, (own >= 0) | (beyond >= 0)
 
 
 def _nothing(count: int) -> tuple[Floats, Floats]:
