@@ -146,8 +146,9 @@ def _grown(places: Places, seed: Indices, kind: Kind) -> Piece | None:
             return None
         primitive, scatter = found
         members = _lying_on(places, primitive, scatter, members)
-        # What lies beyond the rim of a piece has grown into it.
-        fitted = places.inner(members)
+        # What lies beyond the rim of a piece has grown into it; small ones are little but rim.
+        inner = places.inner(members)
+        fitted = inner if len(inner) >= fewest else members
         if is_seed[members].sum() < _HELD * len(seed) or len(fitted) < fewest:
             return None
         if len(members) <= (1.0 + _RESTS) * largest:

@@ -15,11 +15,12 @@ from ..links import joined_links, smooth_links
 from ..surface import Surface
 from ..types import Flags, Floats, Indices
 
-#: A neck this narrow, as a share of the mean width of the narrower part, joins nothing …
-_NECK = 0.5
+#: A neck this narrow, as a share of the mean width of the narrower part, and of no more than so many
+#: edges, joins nothing.
+_NECK, _NECK_EDGES = 0.5, 2.5
 
-#: … if it has no more than so many edges, or if the parts are known to be different surfaces.
-_NECK_EDGES = 2.5
+#: The same share where the parts are known to be different surfaces.
+_NECK_OF_PIECES = 0.7
 
 
 def split_at_necks(
@@ -76,8 +77,9 @@ def split_at_necks(
     lies_on = np.full(2 * count, -1, dtype=np.int64)
     lies_on[part[core]] = face_piece[core]
     one, other = lies_on[names[pairs]].T
-    is_short = (neck < _NECK_EDGES * edge) | ((one != other) & (one >= 0) & (other >= 0))
-    is_neck = (neck < _NECK * narrow) & is_short & (smaller >= min_area)
+    is_neck = (neck < _NECK * narrow) & (neck < _NECK_EDGES * edge)
+    is_neck |= (neck < _NECK_OF_PIECES * narrow) & (one != other) & (one >= 0) & (other >= 0)
+    is_neck &= smaller >= min_area
     tied = pairs[~is_neck]
     if is_locked is not None:
         tied = np.concatenate([tied, piece[inner[is_locked[inner].all(axis=1)]]])
