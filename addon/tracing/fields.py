@@ -5,10 +5,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from ..bridge import cache
 from ..bridge.subject import Reading, Subject
 from ..geometry.lines.tracer import LineField, build_line_field
+from ..geometry.places import PlaceFinder
 from ..geometry.progress import part_of
 from ..geometry.types import Progress
 from ..tasks import criterion_of
@@ -25,6 +27,11 @@ class Field:
     subject: Subject
     lines: LineField
     sizes: Sizes
+
+    @cached_property
+    def finder(self) -> PlaceFinder:
+        """Finds places on the surface; it takes a while to make."""
+        return PlaceFinder(self.subject.analysis.surface)
 
 
 def find_field(reading: Reading, plan: Plan, on_progress: Progress) -> Field:

@@ -20,7 +20,7 @@ from ..geometry.lines.field import ASYMPTOTIC, PRINCIPAL, Family
 from ..geometry.lines.layout import trace_evenly
 from ..geometry.lines.lines import CurvatureLines
 from ..geometry.lines.tracer import trace_from
-from ..geometry.places import nearest_places, vertex_places
+from ..geometry.places import vertex_places
 from ..geometry.progress import part_of
 from ..geometry.types import AnyArray, Floats, Indices, Progress
 from ..report.findings import (
@@ -94,7 +94,7 @@ def trace_seeds(context: Context, objects: list[Object], plan: Plan, seeds: str)
     def find(field: Field, _on_progress: Progress) -> CurvatureLines:
         if seeds == "CURSOR":
             at = analyzed_points(field.subject, cursor)
-            triangle, place = nearest_places(field.subject.analysis.surface, at)[:2]
+            triangle, place = field.finder.nearest(at)[:2]
         else:
             triangle, place = _vertex_seeds(field, *selected[field.subject.source.name_full])
         lines = trace_from(field.lines, triangle, place, plan.lines.families)
@@ -170,4 +170,4 @@ def _vertex_seeds(field: Field, vertices: AnyArray, position: AnyArray) -> Place
     if subject.has_base_topology:
         return vertex_places(subject.analysis.surface, vertices)
     in_meters = (position - subject.center) @ subject.meters_from_object
-    return nearest_places(subject.analysis.surface, in_meters)[:2]
+    return field.finder.nearest(in_meters)[:2]

@@ -15,7 +15,6 @@ from ..geometry.fitting import BezierCurve, fit_bezier
 from ..geometry.lines.field import Family
 from ..geometry.lines.lines import CurvatureLines
 from ..geometry.lines.simplification import simplified
-from ..geometry.places import deviation
 from ..geometry.types import Floats
 from .fields import Field
 from .settings import LineSettings
@@ -58,8 +57,7 @@ def make_sets(field: Field, lines: CurvatureLines, settings: LineSettings) -> Tr
         if len(chosen):
             sets[family] = _line_set(lines, chosen.tolist(), curves, along)
     samples = [each.samples() if isinstance(each, BezierCurve) else each for each in curves]
-    surface = field.subject.analysis.surface
-    off = deviation(surface, np.concatenate(samples)) if samples else 0.0
+    off = field.finder.deviation(np.concatenate(samples)) if samples else 0.0
     return Traced(field, lines, along, sets, off)
 
 
