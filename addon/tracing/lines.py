@@ -17,7 +17,6 @@ from ..bridge.selection import selected_vertices
 from ..bridge.subject import Reading
 from ..geometry.errors import CurvatureError
 from ..geometry.lines.field import ASYMPTOTIC, PRINCIPAL, Family
-from ..geometry.lines.layout import trace_evenly
 from ..geometry.lines.lines import CurvatureLines
 from ..geometry.lines.tracer import trace_from
 from ..geometry.places import vertex_places
@@ -33,7 +32,8 @@ from ..report.findings import (
 )
 from ..steps import Steps
 from ..tasks import Outcome, criterion_of, for_each, write_analysis
-from .fields import Field, find_field
+from .absence import absence
+from .fields import Field, cover, find_field
 from .sets import Traced, make_sets, write_sets
 from .settings import Plan
 
@@ -61,7 +61,7 @@ def trace_objects(context: Context, objects: list[Object], plan: Plan) -> Steps[
     """
 
     def find(field: Field, on_progress: Progress) -> CurvatureLines:
-        return trace_evenly(field.lines, field.sizes.spacing, plan.lines.families, on_progress)
+        return cover(field, plan.lines.families, on_progress)
 
     def write(traced: Traced, carrier: Object) -> None:
         pair = ASYMPTOTIC if plan.lines.is_asymptotic else PRINCIPAL
@@ -108,6 +108,8 @@ def trace_seeds(context: Context, objects: list[Object], plan: Plan, seeds: str)
 
 def describe(context: Context, counts: dict[Family, int], length: float) -> str:
     """Return in words how many lines there are and how long they are together."""
+    if not any(counts.values()):
+        return "no lines"
     parts = [
         f"{count:,} {'line' if count == 1 else 'lines'} of family {2 - family % 2}"
         for family, count in counts.items()
@@ -123,7 +125,7 @@ def _trace(
     write: Callable[[Traced, Object], None],
 ) -> Steps[Outcome]:
     counts = dict.fromkeys(plan.lines.families, 0)
-    lengths = []
+    lengths, absent = [], []
 
     def compute(reading: Reading, on_progress: Progress) -> Traced:
         field = find_field(reading, plan, part_of(on_progress, 0.0, _FIELD))
@@ -138,11 +140,15 @@ def _trace(
         for family, lines in traced.sets.items():
             counts[family] += len(lines.lines)
             lengths.append(lines.lengths.sum())
+        if not traced.sets:
+            is_asymptotic = plan.lines.is_asymptotic
+            absent.append(absence(traced.field, context.scene, is_asymptotic=is_asymptotic))
         return carrier
 
     with object_mode(context):
         outcome = yield from for_each(context, objects, plan.analysis, compute, write_all)
     outcome.note = describe(context, counts, float(np.sum(lengths)))
+    outcome.remarks += absent
     return outcome
 
 

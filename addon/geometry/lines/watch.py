@@ -16,7 +16,7 @@ from .samples import Samples, Trail, joined, no_trail, take_samples
 _LOOK = 8
 #: Steps of one arm that cost as much as a look does.
 _FEW = 128
-#: Way between two looks, over the side of a triangle, below which an arm is stuck.
+#: Way between two looks, over the side of a triangle or the spacing, below which an arm is stuck.
 _SLOWEST = 0.02
 
 
@@ -60,7 +60,8 @@ class Watch:
         recent = take_samples(self._field, sparse)
         self._seen = joined([self._seen, recent])
         state = self._state
-        is_slow = arc - self._before < _SLOWEST * self._field.mesh.edge_length
+        step = min(self._rules.spacing, self._field.mesh.edge_length)
+        is_slow = arc - self._before < _SLOWEST * step
         if not self._is_new:
             state.end[(state.end < 0) & is_slow] = LineEnd.FOLD
         self._before, self._is_new = arc.copy(), False
