@@ -7,11 +7,14 @@ from __future__ import annotations
 from bpy.types import Context, Object, Panel, UILayout
 
 from ..bridge import units
-from ..bridge.companions import ROLES, companions
-from ..bridge.curves import line_lengths
+from ..bridge.companions import ROLES, companions, is_outdated
+from ..bridge.curves import DEVIATION, SPACING, line_lengths
 from ..bridge.drawings import LINE_ROLES
 from ..bridge.subject import source_of
 from .base import SidebarPanel
+from .text import wrap
+
+_OUTDATED = "Made before the model or its settings changed: trace again"
 
 
 class CURVATURE_PT_lines(SidebarPanel, Panel):
@@ -50,16 +53,34 @@ def _draw_found(layout: UILayout, context: Context, source: Object) -> None:
     found = companions(source, (*LINE_ROLES, "UMBILICS"))
     if not found:
         return
+    outdated = [obj for obj in found if is_outdated(obj)]
+    if outdated:
+        col = layout.column(align=True)
+        for number, line in enumerate(wrap(_OUTDATED, context)):
+            col.label(text=line, icon="BLANK1" if number else "INFO")
     col = layout.box().column(align=True)
     for obj in found:
         row = col.row()
-        row.label(text=ROLES[obj.curvature.role].ending)
-        figure = row.row()
-        figure.alignment = "RIGHT"
-        figure.active = False
-        figure.label(text=_figure(context, obj))
+        icon = "FILE_REFRESH" if obj in outdated else "NONE"
+        row.label(text=ROLES[obj.curvature.role].ending, icon=icon)
+        _draw_figure(row, _figure(context, obj))
+    for name, key in (("Spacing", SPACING), ("Off the Surface", DEVIATION)):
+        lengths = {
+            units.length_text(context.scene, obj.data[key]) for obj in found if key in obj.data
+        }
+        if lengths:
+            row = col.row()
+            row.label(text=name)
+            _draw_figure(row, ", ".join(sorted(lengths)))
     if any(obj.type == "CURVE" for obj in found):
         layout.operator("curvature.export_lines", icon="EXPORT")
+
+
+def _draw_figure(row: UILayout, text: str) -> None:
+    figure = row.row()
+    figure.alignment = "RIGHT"
+    figure.active = False
+    figure.label(text=text)
 
 
 def _figure(context: Context, obj: Object) -> str:

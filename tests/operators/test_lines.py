@@ -116,6 +116,19 @@ def test_a_later_run_replaces_its_own_output_only() -> None:
     assert report_of(obj)["curvature_lines"]["spacing"] == pytest.approx(1.0)
 
 
+def test_a_model_can_be_traced_again_from_its_own_lines() -> None:
+    obj = add_torus()
+    for spacing in (0.8, 0.9, 1.0):
+        bpy.ops.curvature.trace_lines(spacing=spacing)
+        only_select(bpy.data.objects["Ring Lines 1"])
+    bpy.ops.curvature.trace_lines(spacing=0.7)
+    assert bpy.context.view_layer.objects.active == obj
+    assert obj.select_get()
+    only_select(bpy.data.objects["Ring Lines 2"])
+    bpy.ops.curvature.clear()
+    assert bpy.context.view_layer.objects.active == obj
+
+
 def test_one_family_only_drops_the_other_of_the_run_before() -> None:
     obj = add_torus()
     bpy.ops.curvature.trace_lines(spacing=0.8)

@@ -12,7 +12,7 @@ import bpy
 import pytest
 from architectural_curvature.addon.bridge import display, subject
 from layout_stub import Layout
-from models import STRICT, add_surface, barrel, dome, only_select, plate
+from models import STRICT, add_surface, barrel, dome, only_select, plate, report_of
 
 
 def _panels() -> list[type]:
@@ -278,9 +278,15 @@ def test_lines_panel_counts_what_the_model_has() -> None:
     words = " ".join(shown.texts)
     assert f"Lines 1 {count} lines, " in words
     assert "Umbilics 0 points" in words
+    assert "Spacing 25 cm" in words
+    assert "Off the Surface" not in words
     assert shown.operators[-1] == "curvature.export_lines"
     only_select(bpy.data.objects["Vault Lines 2"])
     assert _draw("lines").texts == shown.texts
+    bpy.ops.curvature.trace_lines(spacing=0.25, fit_curves=True)
+    deviation = report_of(bpy.data.objects["Vault"])["curvature_lines"]["deviation"]
+    text = bpy.utils.units.to_string("METRIC", "LENGTH", float(f"{deviation:.3g}"), precision=3)
+    assert f"Off the Surface {text}" in " ".join(_draw("lines").texts)
 
 
 def test_hatching_panel_asks_for_a_light_only_where_it_shades() -> None:
@@ -291,3 +297,29 @@ def test_hatching_panel_asks_for_a_light_only_where_it_shades() -> None:
 
 def test_single_lines_can_be_picked_or_run_through_points() -> None:
     assert _draw("picking").operators == ["curvature.pick_lines", "curvature.trace_through"]
+
+
+def _has_hint() -> bool:
+    return any(text.startswith("Made before the model") for text in _draw("lines").texts)
+
+
+def test_lines_of_an_earlier_state_are_marked() -> None:
+    obj = add_surface(barrel, "Vault")
+    bpy.ops.curvature.trace_lines(spacing=0.5)
+    assert not _has_hint()
+    obj.data.vertices[40].co.z += 0.1
+    obj.data.update()
+    bpy.ops.curvature.segment()
+    assert _has_hint()
+    bpy.ops.curvature.find_umbilics()
+    assert _has_hint()
+    bpy.ops.curvature.trace_lines(spacing=0.5)
+    assert not _has_hint()
+    # Another object with the same mesh, at another scale, is another state of the same mesh.
+    other = bpy.data.objects.new("Other", obj.data)
+    bpy.context.scene.collection.objects.link(other)
+    other.scale = (2.0, 2.0, 2.0)
+    only_select(other)
+    bpy.ops.curvature.segment()
+    only_select(obj)
+    assert not _has_hint()
