@@ -11,6 +11,10 @@ from ..bridge.companions import ROLES, companions, is_outdated
 from ..bridge.curves import DEVIATION, SPACING, line_lengths
 from ..bridge.drawings import LINE_ROLES
 from ..bridge.subject import source_of
+from ..choices import line_plan
+from ..geometry.criterion import resolve_criterion
+from ..geometry.errors import CurvatureError
+from ..tracing.settings import resolve_sizes
 from .base import SidebarPanel
 from .text import wrap
 
@@ -40,12 +44,37 @@ class CURVATURE_PT_lines(SidebarPanel, Panel):
         if settings.fit_curves:
             layout.prop(settings, "fit_tolerance_shown")
 
+        col = layout.column(align=True)
+        col.active = False
+        for line in wrap(_sizes_sentence(context), context):
+            col.label(text=line)
+
         row = layout.row()
         row.scale_y = 1.4
         row.operator("curvature.trace_lines", text="Trace Lines", icon="CURVE_DATA")
         layout.operator("curvature.find_umbilics", icon="DOT")
         if context.object is not None:
             _draw_found(layout, context, source_of(context.object))
+
+
+def _sizes_sentence(context: Context) -> str:
+    """Return what the lengths are for the active object, where 0 stands for a default."""
+    active = context.object
+    if active is None or source_of(active).type != "MESH":
+        return ""
+    diagonal = source_of(active).dimensions.length * units.meters_per_unit(context.scene)
+    if not diagonal:
+        return ""
+    try:
+        plan = line_plan(context)
+        panel_size = resolve_criterion(plan.panel, diagonal).tolerance.panel_size
+        sizes = resolve_sizes(plan.lines, panel_size, diagonal)
+    except CurvatureError as error:
+        return f"{error}".capitalize()
+    lengths = (sizes.spacing, sizes.thickness, sizes.tolerance)
+    apart, thick, off = (units.length_text(context.scene, length) for length in lengths)
+    fit = f", within {off}" if plan.lines.is_fitted else ""
+    return f"Lines {apart} apart, {thick} thick{fit}"
 
 
 def _draw_found(layout: UILayout, context: Context, source: Object) -> None:

@@ -323,3 +323,16 @@ def test_lines_of_an_earlier_state_are_marked() -> None:
     bpy.ops.curvature.segment()
     only_select(obj)
     assert not _has_hint()
+
+
+def test_lines_panel_tells_the_lengths_that_zero_stands_for() -> None:
+    add_surface(plate)
+    settings = bpy.context.scene.curvature
+    # A plate 2 m wide and long: a twentieth of its diagonal, and 4 % of that.
+    assert "Lines 14.1 cm apart, 5.66 mm thick" in " ".join(_draw("lines").texts)
+    settings.spacing, settings.thickness, settings.fit_curves = 0.5, 0.01, True
+    assert "Lines 50 cm apart, 1 cm thick, within 1 mm" in " ".join(_draw("lines").texts)
+    settings.spacing = 1e-5
+    assert "is too fine for a model of 2.83 m" in " ".join(_draw("lines").texts)
+    only_select()
+    assert "apart" not in " ".join(_draw("lines").texts)
