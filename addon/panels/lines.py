@@ -11,10 +11,8 @@ from ..bridge.companions import ROLES, companions, is_outdated
 from ..bridge.curves import DEVIATION, SPACING, line_lengths
 from ..bridge.drawings import LINE_ROLES
 from ..bridge.subject import source_of
-from ..choices import line_plan
-from ..geometry.criterion import resolve_criterion
+from ..choices import line_sizes
 from ..geometry.errors import CurvatureError
-from ..tracing.settings import resolve_sizes
 from .base import SidebarPanel
 from .text import wrap
 
@@ -66,14 +64,12 @@ def _sizes_sentence(context: Context) -> str:
     if not diagonal:
         return ""
     try:
-        plan = line_plan(context)
-        panel_size = resolve_criterion(plan.panel, diagonal).tolerance.panel_size
-        sizes = resolve_sizes(plan.lines, panel_size, diagonal)
+        sizes = line_sizes(context, diagonal)
     except CurvatureError as error:
         return f"{error}".capitalize()
     lengths = (sizes.spacing, sizes.thickness, sizes.tolerance)
     apart, thick, off = (units.length_text(context.scene, length) for length in lengths)
-    fit = f", within {off}" if plan.lines.is_fitted else ""
+    fit = f", within {off}" if context.scene.curvature.fit_curves else ""
     return f"Lines {apart} apart, {thick} thick{fit}"
 
 

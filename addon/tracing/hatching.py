@@ -13,7 +13,7 @@ from ..bridge.companions import discard_companions
 from ..bridge.curves import LineSet, write_curves
 from ..bridge.mode import object_mode
 from ..bridge.subject import Reading, Subject
-from ..geometry.hatching import Strokes, curvature_tone, hatch, shade_tone
+from ..geometry.hatching import LIGHTEST, Strokes, curvature_tone, hatch, shade_tone
 from ..geometry.lines.field import PRINCIPAL
 from ..geometry.lines.lines import LineEnd
 from ..geometry.progress import part_of
@@ -55,7 +55,7 @@ class HatchSettings:
 class _Hatched:
     field: Field
     strokes: Strokes
-    has_lines: bool
+    is_light: bool
 
 
 def hatch_objects(
@@ -90,7 +90,8 @@ def hatch_objects(
         else:
             tone = curvature_tone(curvature.k1, curvature.k2)
         at_points = lines.interpolated(direction.mesh, tone)
-        return _Hatched(field, hatch(lines, at_points, spacing), lines.count > 0)
+        is_light = lines.count > 0 and bool(np.median(at_points) <= LIGHTEST)
+        return _Hatched(field, hatch(lines, at_points, spacing), is_light)
 
     def write(found: _Hatched) -> Object:
         subject, strokes = found.field.subject, found.strokes
@@ -123,8 +124,8 @@ def hatch_objects(
 
 def _no_strokes(found: _Hatched, scene: Scene) -> str:
     """Return why an object has no strokes, in words."""
-    if found.has_lines:
-        return f"{found.field.subject.source.name} lies in the light everywhere: turn the light"
+    if found.is_light:
+        return f"{found.field.subject.source.name} lies in the light: turn the light"
     return absence(found.field, scene)
 
 

@@ -99,7 +99,10 @@ def trace_seeds(context: Context, objects: list[Object], plan: Plan, seeds: str)
             triangle, place = _vertex_seeds(field, *selected[field.subject.source.name_full])
         lines = trace_from(field.lines, triangle, place, plan.lines.families)
         if not lines.count:
-            raise CurvatureError("there are no such lines here: directions are undefined")
+            where = (
+                "saddles only" if plan.lines.is_asymptotic else "curved parts only, not spherical"
+            )
+            raise CurvatureError(f"no lines run through these points: there are some in {where}")
         return lines
 
     write = partial(write_sets, context, is_picked=True)

@@ -69,4 +69,6 @@ def test_a_model_without_strokes_is_told_why(run: Callable[..., Any]) -> None:
     assert len(bpy.data.objects) == 1
     only_select(add_surface(saddle, "Roof Two"))
     result, text = run("hatch", light=(0.0, 0.0, 1.0), spacing=0.1)
-    assert "Roof Two lies in the light everywhere" in text
+    assert "Roof Two lies in the light" in text
+    result, text = run("hatch", light=(0.0, 0.0, -1.0), spacing=100.0)
+    assert "Roof Two has no room for lines 100 m apart" in text
