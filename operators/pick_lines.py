@@ -154,13 +154,16 @@ class CURVATURE_OT_pick_lines(LineChoices, Operator):
             )
             shown = [preview.PreviewLine(points, closed, _color(f)) for points, closed, f in rows]
         preview.show(shown)
+        self._write_status(context)
         viewport.redraw(context)
 
     def _write_status(self, context: Context) -> None:
         if self._picker is None:
             text = f"Analyzing: {round(100.0 * self._preparing.share)} %    Esc: Cancel"
         else:
-            text = f"{self._kept} lines kept    Click: Keep the Lines    Esc, Right Click: End"
+            is_void = self._pointed is not None and not preview.shown()
+            here = "No Lines Here" if is_void else "Click: Keep the Lines"
+            text = f"{self._kept} lines kept    {here}    Esc, Right Click: End"
         context.workspace.status_text_set(f"{self.bl_label}: {text}")
 
     def _end(self, context: Context) -> set[str]:

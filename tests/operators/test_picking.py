@@ -20,13 +20,13 @@ from architectural_curvature.addon.tracing.picking import Picker, prepare_picker
 from architectural_curvature.operators import pick_lines
 from bpy.types import Object
 from mathutils import Euler, Matrix
-from models import RADIUS, add_surface, barrel, only_select, own_attributes
+from models import RADIUS, add_surface, barrel, only_select, own_attributes, plate
 
 
 @pytest.fixture
 def vault() -> Object:
     """A barrel vault along y that stands turned and stretched in the world."""
-    obj = add_surface(barrel, "Vault")
+    obj = add_surface(barrel, "Vault", 64)
     obj.matrix_world = Matrix.LocRotScale((5.0, 1.0, 0.0), Euler((0.0, 0.0, 0.5)), (2.0, 2.0, 2.0))
     bpy.context.view_layer.update()
     return obj
@@ -185,6 +185,33 @@ def test_mouse_shows_and_click_keeps_both_lines(session: _Session) -> None:
     assert session.send("ESC") == {"FINISHED"}
     assert session.texts[-1] == "Kept 2 lines"
     assert preview.shown() == []
+
+
+def test_click_keeps_whole_lines_before_they_are_shown(
+    session: _Session, vault: Object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    session.wait(lambda: session.operator._picker is not None)
+    monkeypatch.setattr(pick_lines, "_PATIENCE", -1.0)
+    session.send("MOUSEMOVE")
+    assert not session.operator._pointed.is_done
+    session.send("LEFTMOUSE")
+    session.send("ESC")
+    whole = _lines_below(_picker(vault), RIDGE)
+    kept = bpy.data.objects["Vault Picked Lines 2"].data.get("curvature_lengths")
+    assert kept[0] == pytest.approx(whole.length[whole.family == 2][0])
+
+
+def test_status_tells_where_there_are_no_lines(monkeypatch: pytest.MonkeyPatch) -> None:
+    started = _Session(add_surface(plate, "Plate"), monkeypatch)
+    above = np.array([0.1, 0.1, 5.0])
+    monkeypatch.setattr(pick_lines, "ray_through", lambda *_: (above, DOWN))
+    started.wait(lambda: started.operator._picker is not None)
+    assert "No Lines Here" in started.texts[-1]
+    monkeypatch.setattr(pick_lines, "ray_through", lambda *_: (above, -DOWN))
+    started.send("MOUSEMOVE")
+    assert "Click: Keep the Lines" in started.texts[-1]
+    started.send("LEFTMOUSE")
+    assert started.send("ESC") == {"CANCELLED"}
 
 
 @pytest.mark.parametrize("end", ["ESC", "RIGHTMOUSE"])
