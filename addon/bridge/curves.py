@@ -132,6 +132,11 @@ def line_lengths(obj: Object) -> list[float]:
     return [float(length) for length in obj.data.get(LENGTHS, ())]
 
 
+def stored_length(obj: Object, key: str) -> float:
+    """Return a length in meters that an object of lines keeps, `SPACING` for one; 0 for none."""
+    return float(obj.data.get(key, 0.0))
+
+
 def _add_object(subject: Subject, carrier: Object, role: str, scene: Scene) -> Object:
     data = bpy.data.curves.new(companion_name(subject.source, role), "CURVE")
     data.dimensions = "3D"

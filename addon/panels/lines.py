@@ -8,7 +8,7 @@ from bpy.types import Context, Object, Panel, UILayout
 
 from ..bridge import units
 from ..bridge.companions import ROLES, companions, is_outdated
-from ..bridge.curves import DEVIATION, SPACING, line_lengths
+from ..bridge.curves import DEVIATION, SPACING, line_lengths, stored_length
 from ..bridge.drawings import LINE_ROLES
 from ..bridge.subject import source_of
 from ..choices import line_sizes
@@ -90,13 +90,13 @@ def _draw_found(layout: UILayout, context: Context, source: Object) -> None:
         row.label(text=ROLES[obj.curvature.role].ending, icon=icon)
         _draw_figure(row, _figure(context, obj))
     for name, key in (("Spacing", SPACING), ("Off the Surface", DEVIATION)):
-        lengths = {
-            units.length_text(context.scene, obj.data[key]) for obj in found if key in obj.data
-        }
+        lengths = {stored_length(obj, key) for obj in found} - {0.0}
         if lengths:
             row = col.row()
             row.label(text=name)
-            _draw_figure(row, ", ".join(sorted(lengths)))
+            _draw_figure(
+                row, ", ".join(units.length_text(context.scene, x) for x in sorted(lengths))
+            )
     if any(obj.type == "CURVE" for obj in found):
         layout.operator("curvature.export_lines", icon="EXPORT")
 

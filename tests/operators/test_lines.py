@@ -238,8 +238,8 @@ def test_a_spacing_far_finer_than_the_faces_is_refused(run: Callable[..., Any]) 
     result, text = run("trace_lines", spacing=0.004)
     assert result == {"CANCELLED"}
     # Sides of triangles over cells of half a meter, diagonals included.
-    size = float(re.search(r"too fine for faces of ([\d.]+) m", text)[1])
-    assert 0.5 <= size <= 1.0
+    (size,) = re.findall(r"too fine for faces of ([\d.]+) m", text)
+    assert 0.5 <= float(size) <= 1.0
     result, _ = run("trace_lines", spacing=0.02, families="FIRST")
     assert result == {"FINISHED"}
     # A hundred lines cross the saddle, of 2.1 m; some end where two rulings of lines converge.

@@ -21,12 +21,12 @@ from .lines import CurvatureLines, LineEnd
 from .samples import Trail, take_samples
 from .seeds import make_seeds
 from .tracer import LineField, own_rules, usable
-from .walking import Ground, Vector, Walker
+from .walking import Ground, Walker
 from .watch import Watch
 
 _ASYMPTOTIC = int(Family.ASYMPTOTIC_LEFT)
-#: What is remembered of a place: way, triangle, place in it, heading.
-_Step = tuple[float, int, Vector, Vector]
+#: Numbers remembered of a place: way, triangle, place in it, heading.
+_STEP = 8
 
 
 class PointTracer:
@@ -60,13 +60,17 @@ class PointTracer:
 
 @dataclass(slots=True)
 class _Arm:
-    """Half of a line: where it is, all places that it went through, and those for a look."""
+    """Half of a line: where it is, all places that it went through, and those for a look.
+
+    Places are rows of numbers, one after the other: Python would look through as many tuples now
+    and then, which takes longer than to trace a line.
+    """
 
     walker: Walker
     arc: float = 0.0
     looked: float = 0.0
-    steps: list[_Step] = field_of(default_factory=list)
-    sparse: list[_Step] = field_of(default_factory=list)
+    steps: list[float] = field_of(default_factory=list)
+    sparse: list[float] = field_of(default_factory=list)
 
 
 class PointLines:
@@ -150,11 +154,11 @@ class PointLines:
         ground, walker, reach = self._tracer.ground, arm.walker, self._reach
         way, side = ground.follow(walker, reach)
         arm.arc += way
-        step = arm.arc, walker.triangle, walker.place, walker.heading
-        arm.steps.append(step)
+        step = arm.arc, walker.triangle, *walker.place, *walker.heading
+        arm.steps.extend(step)
         if arm.arc >= arm.looked + reach * (1.0 - 1e-6):
             arm.looked = arm.arc
-            arm.sparse.append(step)
+            arm.sparse.extend(step)
         before = walker.triangle
         end = LineEnd.UMBILIC if self._leaves_umbilic(arm) else None
         if side >= 0 and ground.cross(walker, side):
@@ -176,27 +180,18 @@ class PointLines:
         away = around.position[umbilic] - position
         return bool(np.linalg.norm(away) < around.reach and away @ walker.heading <= 0.0)
 
-    def _trail(self, steps: list[list[_Step]]) -> Trail:
+    def _trail(self, steps: list[list[float]]) -> Trail:
         """Return the steps of arms in rows."""
-        counts = [len(each) for each in steps]
-        arm = np.repeat(np.arange(len(steps)), counts)
-        together = [step for each in steps for step in each]
+        rows = np.array([number for each in steps for number in each]).reshape(-1, _STEP)
+        arm = np.repeat(np.arange(len(steps)), [len(each) // _STEP for each in steps])
         family = np.array([arm.walker.family for arm in self._arms], dtype=np.int64)
-        columns = list(zip(*together, strict=True)) or [[], [], [], []]
-        return Trail(
-            arm,
-            np.array(columns[0], dtype=np.float64),
-            np.array(columns[1], dtype=np.int64),
-            np.array(columns[2], dtype=np.float64).reshape(-1, 3),
-            np.array(columns[3], dtype=np.float64).reshape(-1, 3),
-            family[arm],
-        )
+        triangle = rows[:, 1].astype(np.int64)
+        return Trail(arm, rows[:, 0], triangle, rows[:, 2:5], rows[:, 5:], family[arm])
 
 
 def _started(triangle: int, place: Floats, heading: Floats, family: int) -> _Arm:
     """Return an arm that stands at its seed."""
     a, b, c = place.tolist()
     x, y, z = heading.tolist()
-    walker = Walker(triangle, (a, b, c), (x, y, z), family)
-    first = (0.0, triangle, walker.place, walker.heading)
-    return _Arm(walker, steps=[first], sparse=[first])
+    first = [0.0, float(triangle), a, b, c, x, y, z]
+    return _Arm(Walker(triangle, (a, b, c), (x, y, z), family), steps=first, sparse=first.copy())

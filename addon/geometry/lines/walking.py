@@ -30,21 +30,21 @@ class Tile:
 
     Parameters
     ----------
-    gradient : list of nine float
+    gradient : nine float
     along, flat : vector
         First and last row of the frame.
-    corners : three lists of ten float
+    corners : three times ten float
         The deviator as a symmetric matrix (xx, xy, xz, yy, yz, zz), the normal, and the mean
         curvature.
-    neighbor, neighbor_side : list of three int
+    neighbor, neighbor_side : three int
     """
 
-    gradient: list[float]
-    along: list[float]
-    flat: list[float]
-    corners: tuple[list[float], list[float], list[float]]
-    neighbor: list[int]
-    neighbor_side: list[int]
+    gradient: tuple[float, ...]
+    along: tuple[float, ...]
+    flat: tuple[float, ...]
+    corners: tuple[tuple[float, ...], ...]
+    neighbor: tuple[int, ...]
+    neighbor_side: tuple[int, ...]
 
 
 @dataclass(slots=True)
@@ -144,16 +144,16 @@ class Ground:
         one, two, three = mesh.triangles[triangle].tolist()
         frame = self._frame[triangle]
         return Tile(
-            self._gradient[triangle].ravel().tolist(),
-            frame[0].tolist(),
-            frame[2].tolist(),
+            tuple(self._gradient[triangle].ravel().tolist()),
+            tuple(frame[0].tolist()),
+            tuple(frame[2].tolist()),
             (corner(one), corner(two), corner(three)),
-            mesh.neighbor[triangle].tolist(),
-            mesh.neighbor_side[triangle].tolist(),
+            tuple(mesh.neighbor[triangle].tolist()),
+            tuple(mesh.neighbor_side[triangle].tolist()),
         )
 
-    def _packed(self, sector: int) -> list[float]:
-        return self._field.packed[sector, _DISTINCT].tolist()
+    def _packed(self, sector: int) -> tuple[float, ...]:
+        return tuple(self._field.packed[sector, _DISTINCT].tolist())
 
 
 def _directions(tile: Tile, place: Vector, family: int, heading: Vector) -> tuple[Vector, Vector]:
