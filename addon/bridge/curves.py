@@ -105,8 +105,7 @@ def write_curves(
     ):
         _extend(data, key, values)
     for key, length in ((SPACING, lines.spacing), (DEVIATION, lines.deviation)):
-        if length:
-            data[key] = max(length, data.get(key, 0.0))
+        _keep_longest(data, key, length)
     return obj
 
 
@@ -153,6 +152,12 @@ def _extend(data: Curve, key: str, values: list[float] | list[int]) -> None:
     """Add values to a custom property; an empty list has no type that Blender could store."""
     if values:
         data[key] = [*data.get(key, ()), *values]
+
+
+def _keep_longest(data: Curve, key: str, length: float) -> None:
+    """Keep a length, other than none, unless a longer one is kept already."""
+    if length:
+        data[key] = max(length, data.get(key, 0.0))
 
 
 def _add_polyline(data: Curve, points: Floats, is_closed: bool, radii: Floats | None) -> None:
