@@ -9,6 +9,7 @@ from dataclasses import replace
 from bpy.types import Context, Operator
 
 from .bridge.numbers import as_typed, as_typed_angle
+from .geometry.criterion import resolve_criterion
 from .geometry.errors import InvalidSettingError
 from .geometry.settings import (
     AnalysisSettings,
@@ -18,7 +19,7 @@ from .geometry.settings import (
 )
 from .preset_text import LIMITS
 from .tracing.hatching import HatchSettings
-from .tracing.settings import LineSettings, Plan, families_of
+from .tracing.settings import LineSettings, Plan, Sizes, families_of, resolve_sizes
 
 CRITERION_OF = {
     name: CriterionKind[kind]
@@ -153,6 +154,19 @@ def line_plan(context: Context, operator: Operator | None = None) -> Plan:
             thickness=as_typed(float(_choose(context, operator, "thickness"))),
         ),
     )
+
+
+def line_sizes(context: Context, diagonal: float) -> Sizes:
+    """Return the lengths of lines on a model of this size in meters, with defaults for zeros.
+
+    Raises
+    ------
+    InvalidSettingError
+        If a value makes no sense.
+    """
+    plan = line_plan(context)
+    panel_size = resolve_criterion(plan.panel, diagonal).tolerance.panel_size
+    return resolve_sizes(plan.lines, panel_size, diagonal)
 
 
 def adopt_hatching(operator: Operator, context: Context) -> None:

@@ -44,7 +44,8 @@ def conclude(operator: Operator, outcome: Outcome, verb: str) -> set[str]:
         parts[0] += f": {outcome.note}"
     elif len(outcome.carriers) == 1 and outcome.carriers[0].data.curvature.is_segmented:
         parts[0] += f": {shares_text(outcome.carriers[0])}"
-    is_sound = not outcome.refused and not outcome.warnings
+    parts += outcome.remarks
+    is_sound = not (outcome.refused or outcome.warnings or outcome.remarks)
     operator.report({"INFO"} if is_sound else {"WARNING"}, "; ".join(parts))
     return {"FINISHED"}
 

@@ -50,11 +50,12 @@ class Outcome:
     """What became of the objects of a task.
 
     `carriers` have the results; `refused` says for each of the others what is wrong with it;
-    `note` says in words what was found.
+    `remarks` what a user would not expect; `note` says in words what was found.
     """
 
     carriers: list[Object] = field(default_factory=list)
     refused: list[str] = field(default_factory=list)
+    remarks: list[str] = field(default_factory=list)
     note: str = ""
 
     @property

@@ -4,27 +4,29 @@
 
 from __future__ import annotations
 
+from math import inf
+
 import numpy as np
 from bpy.types import Context, Event, Operator
 
 from ..addon import polls
 from ..addon.bridge import viewport
 from ..addon.bridge.companions import FAMILY_ROLES, ROLES
-from ..addon.bridge.pointing import pointed_at
+from ..addon.bridge.pointing import ray_through
 from ..addon.bridge.subject import source_of
 from ..addon.choices import LINE_NAMES, adopt_kind, adopt_settings, line_plan
 from ..addon.geometry.display.colormap import srgb_from_linear
 from ..addon.geometry.errors import CurvatureError
 from ..addon.geometry.lines.field import Family
-from ..addon.geometry.lines.lines import CurvatureLines
-from ..addon.geometry.types import Floats
+from ..addon.geometry.lines.point_lines import PointLines
 from ..addon.overlay import preview
 from ..addon.properties.lines import LineChoices
-from ..addon.steps import Run, Steps, Work
+from ..addon.steps import Run
 from ..addon.tracing.picking import Picker, prepare_picker
 
-#: Seconds between two looks at the work.
-_TICK = 0.05
+#: Seconds between two looks at the work, and those that may pass before the window is shown again:
+#: longer lines grow while one looks.
+_TICK, _PATIENCE = 0.02, 0.03
 _PASSED = {"MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "TRACKPADPAN", "TRACKPADZOOM"}
 _NAVIGATION = {f"NUMPAD_{digit}" for digit in range(10)} | {"NUMPAD_PERIOD", "HOME", "NDOF_MOTION"}
 
@@ -58,9 +60,7 @@ class CURVATURE_OT_pick_lines(LineChoices, Operator):
         adopt_settings(self, context, LINE_NAMES)
         adopt_kind(self, context)
         self._picker: Picker | None = None
-        self._lines: CurvatureLines | None = None
-        self._run: Run | None = None
-        self._wanted: Floats | None = None
+        self._pointed: PointLines | None = None
         self._mouse = (event.mouse_region_x, event.mouse_region_y)
         self._kept = 0
         try:
@@ -102,25 +102,20 @@ class CURVATURE_OT_pick_lines(LineChoices, Operator):
         )
         if not is_inside:
             return {"PASS_THROUGH"}
-        if event.value == "PRESS" and self._picker is not None and self._lines is not None:
-            self._picker.keep(context, self._lines)
-            self._kept += self._lines.count
-            self._write_status(context)
+        if event.value == "PRESS" and self._picker is not None and self._pointed is not None:
+            self._pointed.advance(inf)
+            lines = self._pointed.lines()
+            if lines.count:
+                self._picker.keep(context, lines)
+                self._kept += lines.count
+                self._write_status(context)
         return {"RUNNING_MODAL"}
 
     def _advance(self, context: Context) -> set[str]:
         if self._picker is None:
             return self._prepare(context)
-        if self._run is not None and self._run.advance(0.0):
-            lines = self._run.result
-            self._run = None
-            if self._wanted is not None or self._lines is None:
-                self._show(context, lines)
-        if self._run is None and self._wanted is not None:
-            # The newest place only: what the mouse passed meanwhile is of no interest.
-            self._run = Run(_once(self._picker, self._wanted))
-            self._run.advance(0.0)
-            self._wanted = None
+        if self._pointed is not None and not self._pointed.is_done:
+            self._go_on(context)
         return {"RUNNING_MODAL"}
 
     def _prepare(self, context: Context) -> set[str]:
@@ -138,32 +133,37 @@ class CURVATURE_OT_pick_lines(LineChoices, Operator):
         return {"RUNNING_MODAL"}
 
     def _follow(self, context: Context) -> None:
-        """Want the lines through what the mouse is on; nothing where it is beside the model."""
+        """Trace the lines through what the mouse is on; none where it is beside the model."""
         if self._picker is None:
             return
-        self._wanted = pointed_at(context, self._mouse, self._picker.source)
-        if self._wanted is None:
-            self._show(context, None)
+        ray = ray_through(context, self._mouse)
+        self._pointed = None if ray is None else self._picker.seen(*ray)
+        self._go_on(context)
 
-    def _show(self, context: Context, lines: CurvatureLines | None) -> None:
-        self._lines = lines if lines is not None and lines.count else None
+    def _go_on(self, context: Context) -> None:
+        """Trace for a moment, and show the lines as far as they are."""
         shown = []
-        if self._lines is not None and self._picker is not None:
+        if self._picker is not None and self._pointed is not None:
+            self._pointed.advance(_PATIENCE)
+            lines = self._pointed.lines()
             rows = zip(
-                self._picker.in_world(self._lines),
-                self._lines.is_closed.tolist(),
-                self._lines.family.tolist(),
+                self._picker.in_world(lines),
+                lines.is_closed.tolist(),
+                lines.family.tolist(),
                 strict=True,
             )
             shown = [preview.PreviewLine(points, closed, _color(f)) for points, closed, f in rows]
         preview.show(shown)
+        self._write_status(context)
         viewport.redraw(context)
 
     def _write_status(self, context: Context) -> None:
         if self._picker is None:
             text = f"Analyzing: {round(100.0 * self._preparing.share)} %    Esc: Cancel"
         else:
-            text = f"{self._kept} lines kept    Click: Keep the Lines    Esc, Right Click: End"
+            is_void = self._pointed is not None and not preview.shown()
+            here = "No Lines Here" if is_void else "Click: Keep the Lines"
+            text = f"{self._kept} lines kept    {here}    Esc, Right Click: End"
         context.workspace.status_text_set(f"{self.bl_label}: {text}")
 
     def _end(self, context: Context) -> set[str]:
@@ -174,17 +174,12 @@ class CURVATURE_OT_pick_lines(LineChoices, Operator):
         return {"FINISHED"}
 
     def _leave(self, context: Context) -> None:
-        for run in (self._preparing, self._run):
-            if run is not None and not run.is_finished:
-                run.cancel()
+        if not self._preparing.is_finished:
+            self._preparing.cancel()
         preview.hide()
         context.window_manager.event_timer_remove(self._timer)
         context.workspace.status_text_set(None)
         viewport.redraw(context)
-
-
-def _once(picker: Picker, place: Floats) -> Steps[CurvatureLines]:
-    return (yield Work(picker.tracing(place), 0.0, 1.0))
 
 
 def _color(family: int) -> tuple[float, float, float, float]:

@@ -95,3 +95,24 @@ class Layout:
                 assert key in known, f"{name}.{key}"
 
         return Properties()
+
+
+def draw_panel(name: str) -> Layout:
+    """Draw a panel of ours in the state that Blender is in; nothing where it would not appear."""
+    layout = Layout()
+    panel = getattr(bpy.types, f"CURVATURE_PT_{name}")
+    context = _Context()
+    if hasattr(panel, "poll") and not panel.poll(context):
+        return layout
+    panel.draw(SimpleNamespace(layout=layout), context)
+    return layout
+
+
+class _Context:
+    """Blender's context with a region, which it lacks without a window."""
+
+    region = SimpleNamespace(width=280)
+    preferences = SimpleNamespace(system=SimpleNamespace(ui_scale=1.0))
+
+    def __getattr__(self, name: str) -> object:
+        return getattr(bpy.context, name)

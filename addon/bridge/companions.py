@@ -16,7 +16,7 @@ from ..geometry.lines.field import Family
 from ..geometry.types import Floats
 from .collection import discard, link_beside
 from .material import Color
-from .subject import Subject
+from .subject import Subject, carrier_of
 
 
 @dataclass(frozen=True)
@@ -101,9 +101,30 @@ def companion_name(source: Object, role: str) -> str:
     return f"{source.name} {ROLES[role].ending}"
 
 
+def is_outdated(companion: Object) -> bool:
+    """Return whether a model was analyzed anew, after a change, since its companion was made."""
+    mesh = carrier_of(companion).data
+    # Objects that share a mesh share its results, but need not have one scale.
+    is_shared = mesh.users - mesh.use_fake_user > 1
+    states = {companion.curvature.fingerprint, mesh.curvature.fingerprint}
+    return not is_shared and "" not in states and len(states) == 2
+
+
 def discard_companions(source: Object, roles: Iterable[str] = tuple(ROLES)) -> bool:
-    """Remove objects that accompany a model; return whether there were any."""
-    return discard(source, companions(source, roles))
+    """Remove objects that accompany a model; return whether there were any.
+
+    Where one of them was the active object, the model is instead: there must be something to go on
+    with.
+    """
+    found = companions(source, roles)
+    layer = bpy.context.view_layer
+    was_active = layer.objects.active in found
+    discard(source, found)
+    carrier = carrier_of(source)
+    if was_active and layer.objects.get(carrier.name) == carrier:
+        carrier.select_set(True)
+        layer.objects.active = carrier
+    return bool(found)
 
 
 def world_points(subject: Subject, points: Floats) -> Floats:

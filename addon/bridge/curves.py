@@ -27,6 +27,9 @@ from .units import meters_per_unit
 LENGTHS, ENDS, ALONG = "curvature_lengths", "curvature_ends", "curvature_along"
 """Custom properties of curves: meters per spline, ends per spline, curvature per point."""
 
+SPACING, DEVIATION = "curvature_spacing", "curvature_deviation"
+"""Custom properties of curves: meters between lines, and from the surface of fitted ones."""
+
 _ALIGNED = "ALIGNED"
 
 
@@ -48,6 +51,8 @@ class LineSet:
         A curvature per point or knot.
     radii : list of (p,) float64, optional
         Share of the thickness per point; all 1 by default.
+    spacing, deviation : float
+        Between lines, and of fitted ones from the surface, in meters; 0 for those of no interest.
     """
 
     lines: list[Floats | BezierCurve]
@@ -56,6 +61,8 @@ class LineSet:
     ends: Indices
     along: list[Floats]
     radii: list[Floats] | None = None
+    spacing: float = 0.0
+    deviation: float = 0.0
 
 
 def write_curves(
@@ -80,6 +87,7 @@ def write_curves(
     Object
     """
     found = companions(subject.source, (role,))
+    # Lines that were picked on an earlier state of the model stay what they are.
     obj = found[0] if found else _add_object(subject, carrier, role, scene)
     data = obj.data
     data.bevel_depth = 0.5 * thickness / meters_per_unit(scene)
@@ -96,6 +104,8 @@ def write_curves(
         (ALONG, np.concatenate(lines.along).tolist() if lines.along else []),
     ):
         _extend(data, key, values)
+    for key, length in ((SPACING, lines.spacing), (DEVIATION, lines.deviation)):
+        _keep_longest(data, key, length)
     return obj
 
 
@@ -121,6 +131,11 @@ def line_lengths(obj: Object) -> list[float]:
     return [float(length) for length in obj.data.get(LENGTHS, ())]
 
 
+def stored_length(obj: Object, key: str) -> float:
+    """Return a length in meters that an object of lines keeps, `SPACING` for one; 0 for none."""
+    return float(obj.data.get(key, 0.0))
+
+
 def _add_object(subject: Subject, carrier: Object, role: str, scene: Scene) -> Object:
     data = bpy.data.curves.new(companion_name(subject.source, role), "CURVE")
     data.dimensions = "3D"
@@ -128,13 +143,21 @@ def _add_object(subject: Subject, carrier: Object, role: str, scene: Scene) -> O
     data.use_fill_caps = True
     name = f"Curvature {ROLES[role].ending.removeprefix('Picked ')}"
     data.materials.append(plain_material(name, ROLES[role].color))
-    return add_companion(subject.source, carrier, data, role, scene)
+    obj = add_companion(subject.source, carrier, data, role, scene)
+    obj.curvature.fingerprint = subject.fingerprint
+    return obj
 
 
 def _extend(data: Curve, key: str, values: list[float] | list[int]) -> None:
     """Add values to a custom property; an empty list has no type that Blender could store."""
     if values:
         data[key] = [*data.get(key, ()), *values]
+
+
+def _keep_longest(data: Curve, key: str, length: float) -> None:
+    """Keep a length, other than none, unless a longer one is kept already."""
+    if length:
+        data[key] = max(length, data.get(key, 0.0))
 
 
 def _add_polyline(data: Curve, points: Floats, is_closed: bool, radii: Floats | None) -> None:

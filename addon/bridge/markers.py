@@ -50,6 +50,7 @@ def write_umbilics(
     discard_companions(subject.source, ("UMBILICS",))
     mesh = bpy.data.meshes.new(companion_name(subject.source, "UMBILICS"))
     obj = add_companion(subject.source, carrier, mesh, "UMBILICS", scene)
+    obj.curvature.fingerprint = subject.fingerprint
     mesh.vertices.add(umbilics.count)
     place = companion_points(subject, obj, umbilics.position).astype(np.float32)
     mesh.vertices.foreach_set("co", place.ravel())

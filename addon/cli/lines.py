@@ -42,7 +42,7 @@ def trace_model(
         raise CurvatureError("; ".join(outcome.refused))
     sources = [source_of(carrier) for carrier in outcome.carriers]
     complete(mark_umbilics(context, sources, plan))
-    for sentence in outcome.warnings:
+    for sentence in [*outcome.warnings, *outcome.remarks]:
         screen.progress(f"  warning: {sentence}")
     document = scene_document(context, outcome.carriers, str(model))
     viewport.frame(context, outcome.carriers)

@@ -18,6 +18,9 @@ from .types import Flags, Floats, Indices
 
 #: Tones at which the ranks of the first and the second family appear.
 _TONES = {Family.FIRST: (0.08, 0.3, 0.5), Family.SECOND: (0.62, 0.76, 0.9)}
+LIGHTEST = _TONES[Family.FIRST][0]
+"""Tone up to which there are no strokes."""
+
 #: Distances over the spacing within which lines are neighbors, per rank that is added.
 _REACH = (3.2, 1.6)
 #: Share of a line's points that have to be near another line for it to be a neighbor.

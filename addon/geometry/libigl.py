@@ -34,7 +34,7 @@ def misoriented_triangles(triangles: Indices) -> Flags:
 
 
 class TriangleTree:
-    """Triangles in an order in which what of them is nearest to points is found fast.
+    """Triangles in an order in which those nearest to points, or hit by a ray, are found fast.
 
     Parameters
     ----------
@@ -74,3 +74,16 @@ class TriangleTree:
             np.asarray(triangle, dtype=np.int64).reshape(-1),
             np.asarray(nearest, dtype=np.float64).reshape(-1, 3),
         )
+
+    def first_hit(self, origin: Floats, direction: Floats) -> int:
+        """Return the first triangle that a ray meets, -1 for none.
+
+        Parameters
+        ----------
+        origin : (3,) float64
+            Not many sizes of the model away: libigl compares distances in single precision.
+        direction : (3,) float64
+        """
+        start, course = np.ascontiguousarray(origin[None]), np.ascontiguousarray(direction[None])
+        found = self._tree.intersect_ray_first(*self._mesh, start, course)[0]
+        return int(np.asarray(found, dtype=np.int64)[0])

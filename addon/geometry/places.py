@@ -15,7 +15,7 @@ _INSIDE = 1e-3
 
 
 class PlaceFinder:
-    """Finds the places on a surface that are nearest to points, many times over.
+    """Finds the places on a surface that are nearest to points or hit by rays, many times over.
 
     Parameters
     ----------
@@ -27,6 +27,8 @@ class PlaceFinder:
         triangles = mesh.corner_vertex[mesh.triangle_corner]
         self._corners = mesh.vertices[triangles]
         self._tree = TriangleTree(mesh.vertices, triangles)
+        low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
+        self._middle, self._radius = 0.5 * (low + high), 0.5 * mesh.diagonal
 
     def nearest(self, points: Floats) -> tuple[Indices, Floats, Floats]:
         """Return the nearest places.
@@ -46,10 +48,33 @@ class PlaceFinder:
         distance, triangle, nearest = self._tree.nearest(points)
         return triangle, _barycentric(self._corners[triangle], nearest), distance
 
+    def deviation(self, points: Floats) -> float:
+        """Return the largest distance of points, (p, 3), from the surface, in meters."""
+        return float(self.nearest(points)[2].max()) if len(points) else 0.0
 
-def nearest_places(surface: Surface, points: Floats) -> tuple[Indices, Floats, Floats]:
-    """Return the places on a surface that are nearest to points, see `PlaceFinder.nearest`."""
-    return PlaceFinder(surface).nearest(points)
+    def seen(self, origin: Floats, direction: Floats) -> tuple[int, Floats] | None:
+        """Return the first place that a ray meets, from either side; None where it meets nothing.
+
+        Parameters
+        ----------
+        origin, direction : (3,) float64
+            In the mesh's coordinates, in meters; the direction is of any length.
+
+        Returns
+        -------
+        triangle : int
+        barycentric : (3,) float64
+        """
+        course = direction / np.linalg.norm(direction)
+        ahead = float((self._middle - origin) @ course) - 1.01 * self._radius
+        start = origin + max(ahead, 0.0) * course
+        triangle = self._tree.first_hit(start, course)
+        if triangle < 0:
+            return None
+        a, b, c = self._corners[triangle]
+        normal = np.cross(b - a, c - a)
+        place = start + (normal @ (a - start)) / (normal @ course) * course
+        return triangle, _barycentric(self._corners[triangle][None], place[None])[0]
 
 
 def vertex_places(surface: Surface, vertices: Indices) -> tuple[Indices, Floats]:
@@ -75,11 +100,6 @@ def vertex_places(surface: Surface, vertices: Indices) -> tuple[Indices, Floats]
     barycentric = np.full((len(corner), 3), _INSIDE)
     barycentric[np.arange(len(corner)), corner % 3] = 1.0 - 2.0 * _INSIDE
     return corner // 3, barycentric
-
-
-def deviation(surface: Surface, points: Floats) -> float:
-    """Return the largest distance of points from a surface, in meters."""
-    return float(nearest_places(surface, points)[2].max(initial=0.0)) if len(points) else 0.0
 
 
 def _barycentric(corners: Floats, points: Floats) -> Floats:

@@ -8,6 +8,11 @@ from bpy.types import Context, Panel
 
 from .base import SidebarPanel
 
+_THROUGH = (
+    ("CURSOR", "Through 3D Cursor", "PIVOT_CURSOR"),
+    ("VERTICES", "Through Selected Vertices", "VERTEXSEL"),
+)
+
 
 class CURVATURE_PT_picking(SidebarPanel, Panel):
     """Lines picked with the mouse, or through given points."""
@@ -22,4 +27,5 @@ class CURVATURE_PT_picking(SidebarPanel, Panel):
         layout = self.layout
         layout.operator("curvature.pick_lines", icon="RESTRICT_SELECT_OFF")
         col = layout.column(align=True)
-        col.operator_enum("curvature.trace_through", "points")
+        for points, text, icon in _THROUGH:
+            col.operator("curvature.trace_through", text=text, icon=icon).points = points

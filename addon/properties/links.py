@@ -43,6 +43,9 @@ class CURVATURE_PG_object(PropertyGroup):
         description="Object whose lines, borders, umbilics or hatching this object shows",
     )
     role: StringProperty(name="Role", description="What this object shows of its model")
+    fingerprint: StringProperty(
+        name="Fingerprint", description="State of the model that this object was made on"
+    )
     tolerance: FloatProperty(
         name="Tolerance", description="How far borders were moved at most, in meters"
     )

@@ -5,14 +5,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from ..bridge import cache
 from ..bridge.subject import Reading, Subject
+from ..geometry.lines.field import Family
+from ..geometry.lines.layout import trace_evenly
+from ..geometry.lines.lines import CurvatureLines
 from ..geometry.lines.tracer import LineField, build_line_field
+from ..geometry.places import PlaceFinder
 from ..geometry.progress import part_of
 from ..geometry.types import Progress
 from ..tasks import criterion_of
-from .settings import Plan, Sizes, resolve_sizes
+from .settings import Plan, Sizes, check_resolution, resolve_sizes
 
 #: Share of the time for a field that the analysis takes.
 _ANALYSIS = 0.8
@@ -25,6 +30,11 @@ class Field:
     subject: Subject
     lines: LineField
     sizes: Sizes
+
+    @cached_property
+    def finder(self) -> PlaceFinder:
+        """Finds places on the surface; it takes a while to make."""
+        return PlaceFinder(self.subject.analysis.surface)
 
 
 def find_field(reading: Reading, plan: Plan, on_progress: Progress) -> Field:
@@ -47,3 +57,16 @@ def find_field(reading: Reading, plan: Plan, on_progress: Progress) -> Field:
         cache.keep_field(key, lines)
     on_progress(1.0)
     return Field(subject, lines, sizes)
+
+
+def cover(field: Field, families: tuple[Family, ...], on_progress: Progress) -> CurvatureLines:
+    """Return evenly spaced lines of some families.
+
+    Raises
+    ------
+    InvalidSettingError
+        If the spacing is far finer than the model.
+    """
+    spacing = field.sizes.spacing
+    check_resolution(spacing, field.lines.field.mesh.edge_length)
+    return trace_evenly(field.lines, spacing, families, on_progress)

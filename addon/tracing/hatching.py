@@ -7,21 +7,21 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from bpy.types import Context, Object
+from bpy.types import Context, Object, Scene
 
 from ..bridge.companions import discard_companions
 from ..bridge.curves import LineSet, write_curves
 from ..bridge.mode import object_mode
 from ..bridge.subject import Reading, Subject
-from ..geometry.hatching import Strokes, curvature_tone, hatch, shade_tone
+from ..geometry.hatching import LIGHTEST, Strokes, curvature_tone, hatch, shade_tone
 from ..geometry.lines.field import PRINCIPAL
-from ..geometry.lines.layout import trace_evenly
 from ..geometry.lines.lines import LineEnd
 from ..geometry.progress import part_of
 from ..geometry.types import Floats, Progress
 from ..steps import Steps
 from ..tasks import Outcome, criterion_of, for_each, write_analysis
-from .fields import find_field
+from .absence import absence
+from .fields import Field, cover, find_field
 from .settings import LineSettings, Plan
 
 #: Spacing of the densest strokes as a share of the model's diagonal, where the user gives none.
@@ -53,9 +53,9 @@ class HatchSettings:
 
 @dataclass(frozen=True)
 class _Hatched:
-    subject: Subject
+    field: Field
     strokes: Strokes
-    spacing: float
+    is_light: bool
 
 
 def hatch_objects(
@@ -76,28 +76,33 @@ def hatch_objects(
     -------
     Steps of Outcome
     """
-    total = [0]
+    total, absent = [0], []
 
     def compute(reading: Reading, on_progress: Progress) -> _Hatched:
         diagonal = reading.mesh.diagonal
         spacing = settings.spacing or _SPACING * diagonal
         fine = replace(plan, lines=LineSettings(PRINCIPAL, spacing))
         field = find_field(reading, fine, part_of(on_progress, 0.0, _FIELD))
-        lines = trace_evenly(field.lines, spacing, PRINCIPAL, part_of(on_progress, _FIELD, 1.0))
+        lines = cover(field, PRINCIPAL, part_of(on_progress, _FIELD, 1.0))
         direction, curvature = field.lines.field, field.subject.analysis.curvature
         if settings.tone == "SHADE":
             tone = shade_tone(direction, _light(field.subject, settings.light))
         else:
             tone = curvature_tone(curvature.k1, curvature.k2)
         at_points = lines.interpolated(direction.mesh, tone)
-        return _Hatched(field.subject, hatch(lines, at_points, spacing), spacing)
+        is_light = lines.count > 0 and bool(np.median(at_points) <= LIGHTEST)
+        return _Hatched(field, hatch(lines, at_points, spacing), is_light)
 
     def write(found: _Hatched) -> Object:
-        criterion = criterion_of(found.subject, plan.panel)
-        carrier = write_analysis(context, found.subject, plan.analysis, criterion)
-        discard_companions(found.subject.source, ("HATCHING",))
-        strokes = found.strokes
+        subject, strokes = found.field.subject, found.strokes
+        criterion = criterion_of(subject, plan.panel)
+        carrier = write_analysis(context, subject, plan.analysis, criterion)
+        discard_companions(subject.source, ("HATCHING",))
         count = len(strokes.lines)
+        total.append(count)
+        if not count:
+            absent.append(_no_strokes(found, context.scene))
+            return carrier
         lines = LineSet(
             lines=list(strokes.lines),
             is_closed=[False] * count,
@@ -106,15 +111,22 @@ def hatch_objects(
             along=[],
             radii=strokes.widths,
         )
-        width = _WIDTH * found.spacing
-        write_curves(found.subject, carrier, lines, "HATCHING", width, context.scene)
-        total.append(count)
+        width = _WIDTH * found.field.sizes.spacing
+        write_curves(subject, carrier, lines, "HATCHING", width, context.scene)
         return carrier
 
     with object_mode(context):
         outcome = yield from for_each(context, objects, plan.analysis, compute, write)
     outcome.note = f"{sum(total):,} strokes"
+    outcome.remarks += absent
     return outcome
+
+
+def _no_strokes(found: _Hatched, scene: Scene) -> str:
+    """Return why an object has no strokes, in words."""
+    if found.is_light:
+        return f"{found.field.subject.source.name} lies in the light: turn the light"
+    return absence(found.field, scene)
 
 
 def _light(subject: Subject, light: tuple[float, float, float]) -> Floats:

@@ -17,10 +17,9 @@ from ..bridge.selection import selected_vertices
 from ..bridge.subject import Reading
 from ..geometry.errors import CurvatureError
 from ..geometry.lines.field import ASYMPTOTIC, PRINCIPAL, Family
-from ..geometry.lines.layout import trace_evenly
 from ..geometry.lines.lines import CurvatureLines
 from ..geometry.lines.tracer import trace_from
-from ..geometry.places import nearest_places, vertex_places
+from ..geometry.places import vertex_places
 from ..geometry.progress import part_of
 from ..geometry.types import AnyArray, Floats, Indices, Progress
 from ..report.findings import (
@@ -33,7 +32,8 @@ from ..report.findings import (
 )
 from ..steps import Steps
 from ..tasks import Outcome, criterion_of, for_each, write_analysis
-from .fields import Field, find_field
+from .absence import absence
+from .fields import Field, cover, find_field
 from .sets import Traced, make_sets, write_sets
 from .settings import Plan
 
@@ -61,7 +61,7 @@ def trace_objects(context: Context, objects: list[Object], plan: Plan) -> Steps[
     """
 
     def find(field: Field, on_progress: Progress) -> CurvatureLines:
-        return trace_evenly(field.lines, field.sizes.spacing, plan.lines.families, on_progress)
+        return cover(field, plan.lines.families, on_progress)
 
     def write(traced: Traced, carrier: Object) -> None:
         pair = ASYMPTOTIC if plan.lines.is_asymptotic else PRINCIPAL
@@ -94,12 +94,15 @@ def trace_seeds(context: Context, objects: list[Object], plan: Plan, seeds: str)
     def find(field: Field, _on_progress: Progress) -> CurvatureLines:
         if seeds == "CURSOR":
             at = analyzed_points(field.subject, cursor)
-            triangle, place = nearest_places(field.subject.analysis.surface, at)[:2]
+            triangle, place = field.finder.nearest(at)[:2]
         else:
             triangle, place = _vertex_seeds(field, *selected[field.subject.source.name_full])
         lines = trace_from(field.lines, triangle, place, plan.lines.families)
         if not lines.count:
-            raise CurvatureError("there are no such lines here: directions are undefined")
+            where = (
+                "saddles only" if plan.lines.is_asymptotic else "curved parts only, not spherical"
+            )
+            raise CurvatureError(f"no lines run through these points: there are some in {where}")
         return lines
 
     write = partial(write_sets, context, is_picked=True)
@@ -108,6 +111,8 @@ def trace_seeds(context: Context, objects: list[Object], plan: Plan, seeds: str)
 
 def describe(context: Context, counts: dict[Family, int], length: float) -> str:
     """Return in words how many lines there are and how long they are together."""
+    if not any(counts.values()):
+        return "no lines"
     parts = [
         f"{count:,} {'line' if count == 1 else 'lines'} of family {2 - family % 2}"
         for family, count in counts.items()
@@ -123,7 +128,7 @@ def _trace(
     write: Callable[[Traced, Object], None],
 ) -> Steps[Outcome]:
     counts = dict.fromkeys(plan.lines.families, 0)
-    lengths = []
+    lengths, absent = [], []
 
     def compute(reading: Reading, on_progress: Progress) -> Traced:
         field = find_field(reading, plan, part_of(on_progress, 0.0, _FIELD))
@@ -138,11 +143,15 @@ def _trace(
         for family, lines in traced.sets.items():
             counts[family] += len(lines.lines)
             lengths.append(lines.lengths.sum())
+        if not traced.sets:
+            is_asymptotic = plan.lines.is_asymptotic
+            absent.append(absence(traced.field, context.scene, is_asymptotic=is_asymptotic))
         return carrier
 
     with object_mode(context):
         outcome = yield from for_each(context, objects, plan.analysis, compute, write_all)
     outcome.note = describe(context, counts, float(np.sum(lengths)))
+    outcome.remarks += absent
     return outcome
 
 
@@ -170,4 +179,4 @@ def _vertex_seeds(field: Field, vertices: AnyArray, position: AnyArray) -> Place
     if subject.has_base_topology:
         return vertex_places(subject.analysis.surface, vertices)
     in_meters = (position - subject.center) @ subject.meters_from_object
-    return nearest_places(subject.analysis.surface, in_meters)[:2]
+    return field.finder.nearest(in_meters)[:2]

@@ -4,9 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from bpy.types import Context, Object
@@ -15,8 +13,7 @@ from ..bridge.companions import analyzed_points, world_points
 from ..bridge.mode import object_mode
 from ..bridge.subject import Reading, read_object
 from ..geometry.lines.lines import CurvatureLines
-from ..geometry.lines.tracer import trace_from
-from ..geometry.places import PlaceFinder
+from ..geometry.lines.point_lines import PointLines, PointTracer
 from ..geometry.types import Floats, Progress
 from ..steps import Steps, Work
 from ..tasks import criterion_of, write_analysis
@@ -31,28 +28,29 @@ class Picker:
 
     field: Field
     plan: Plan
-
-    @cached_property
-    def _finder(self) -> PlaceFinder:
-        return PlaceFinder(self.field.subject.analysis.surface)
+    tracer: PointTracer
 
     @property
     def source(self) -> Object:
         """The model."""
         return self.field.subject.source
 
-    def tracing(self, world_point: Floats) -> Callable[[Progress], CurvatureLines]:
-        """Return what traces the lines through the point nearest to a place, (3,) float64.
+    def seen(self, origin: Floats, direction: Floats) -> PointLines | None:
+        """Return the lines through the first place of the model that a ray meets, not traced yet.
 
-        It can run on another thread: it does not touch Blender.
+        Parameters
+        ----------
+        origin, direction : (3,) float64
+            In the world.
+
+        Returns
+        -------
+        PointLines or None
+            None where the ray meets nothing.
         """
-        at = analyzed_points(self.field.subject, world_point[None])
-
-        def run(_on_progress: Progress) -> CurvatureLines:
-            triangle, place = self._finder.nearest(at)[:2]
-            return trace_from(self.field.lines, triangle, place, self.plan.lines.families)
-
-        return run
+        start, further = analyzed_points(self.field.subject, np.stack([origin, origin + direction]))
+        place = self.field.finder.seen(start, further - start)
+        return None if place is None else self.tracer.start(*place)
 
     def in_world(self, lines: CurvatureLines) -> list[Floats]:
         """Return the points of every line in world coordinates, in Blender units."""
@@ -87,8 +85,10 @@ def prepare_picker(context: Context, source: Object, plan: Plan) -> Steps[Picker
         depsgraph = context.evaluated_depsgraph_get()
         reading: Reading = read_object(source, context.scene, depsgraph, plan.analysis)
 
-    def compute(on_progress: Progress) -> Field:
-        return find_field(reading, plan, on_progress)
+    def compute(on_progress: Progress) -> Picker:
+        field = find_field(reading, plan, on_progress)
+        # Made here, beside the window, and not when the mouse first moves.
+        _ = field.finder
+        return Picker(field, plan, PointTracer(field.lines, plan.lines.families))
 
-    field = yield Work(compute, 0.0, 1.0)
-    return Picker(field, plan)
+    return (yield Work(compute, 0.0, 1.0))

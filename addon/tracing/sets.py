@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from bpy.types import Context, Object
@@ -15,7 +15,6 @@ from ..geometry.fitting import BezierCurve, fit_bezier
 from ..geometry.lines.field import Family
 from ..geometry.lines.lines import CurvatureLines
 from ..geometry.lines.simplification import simplified
-from ..geometry.places import deviation
 from ..geometry.types import Floats
 from .fields import Field
 from .settings import LineSettings
@@ -52,14 +51,15 @@ def make_sets(field: Field, lines: CurvatureLines, settings: LineSettings) -> Tr
         lines = simplified(lines, field.sizes.tolerance)
     along = _along(field, lines)
     curves = [_curve(field, lines, number, settings) for number in range(lines.count)]
+    samples = [each.samples() if isinstance(each, BezierCurve) else each for each in curves]
+    off = field.finder.deviation(np.concatenate(samples)) if samples else 0.0
     sets = {}
     for family in settings.families:
         chosen = np.flatnonzero(lines.family == family)
         if len(chosen):
-            sets[family] = _line_set(lines, chosen.tolist(), curves, along)
-    samples = [each.samples() if isinstance(each, BezierCurve) else each for each in curves]
-    surface = field.subject.analysis.surface
-    off = deviation(surface, np.concatenate(samples)) if samples else 0.0
+            made = _line_set(lines, chosen.tolist(), curves, along)
+            # Points of polylines lie on the surface: what they are off by is rounding.
+            sets[family] = replace(made, deviation=off if settings.is_fitted else 0.0)
     return Traced(field, lines, along, sets, off)
 
 
@@ -67,12 +67,13 @@ def write_sets(
     context: Context, traced: Traced, carrier: Object, *, is_picked: bool = False
 ) -> None:
     """Make curve objects of lines, or add the lines to those that there are."""
+    spacing = 0.0 if is_picked else traced.field.sizes.spacing
     for family, lines in traced.sets.items():
         role = FAMILY_ROLES[family]
         write_curves(
             traced.field.subject,
             carrier,
-            lines,
+            replace(lines, spacing=spacing),
             picked(role) if is_picked else role,
             traced.field.sizes.thickness,
             context.scene,

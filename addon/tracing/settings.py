@@ -13,6 +13,8 @@ from ..geometry.settings import AnalysisSettings, SegmentationSettings
 
 #: A finer spacing than this share of the model's diagonal would take hours.
 _FINEST = 1.0 / 3000.0
+#: A finer spacing than this share of a side of a triangle shows nothing that the model knows.
+_FINEST_IN_EDGE = 0.01
 #: Thickness of lines as a share of their spacing, where the user gives none.
 _THICKNESS = 0.04
 #: Distance of written curves from the traced lines as a share of the spacing, where the user gives
@@ -113,3 +115,23 @@ def resolve_sizes(settings: LineSettings, panel_size: float, diagonal: float) ->
         settings.thickness or _THICKNESS * spacing,
         settings.tolerance or _TOLERANCE * spacing,
     )
+
+
+def check_resolution(spacing: float, edge_length: float) -> None:
+    """Refuse a spacing that is far finer than a model.
+
+    Parameters
+    ----------
+    spacing, edge_length : float
+        Between lines, and of a typical side of the model's triangles, in meters.
+
+    Raises
+    ------
+    InvalidSettingError
+        If it is too fine.
+    """
+    if spacing < _FINEST_IN_EDGE * edge_length:
+        raise InvalidSettingError(
+            f"a spacing of {spacing:.3g} m is too fine for faces of {edge_length:.3g} m: "
+            f"take {2.0 * _FINEST_IN_EDGE * edge_length:.2g} m or more, or subdivide the model"
+        )

@@ -11,7 +11,7 @@ import bpy
 import numpy as np
 from bpy.types import Object
 from mathutils import Euler
-from models import add_surface, saddle
+from models import add_surface, only_select, plate, saddle
 
 
 def _strokes() -> tuple[np.ndarray, list[np.ndarray]]:
@@ -59,3 +59,16 @@ def test_scene_remembers_the_settings() -> None:
     settings.hatch_spacing = 0.1
     bpy.ops.curvature.hatch()
     assert len(_strokes()[1]) > coarse
+
+
+def test_a_model_without_strokes_is_told_why(run: Callable[..., Any]) -> None:
+    add_surface(plate)
+    result, text = run("hatch")
+    assert (result, text.split(";")[0]) == ({"FINISHED"}, "Warning: Hatched Roof: 0 strokes")
+    assert "is flat or spherical everywhere" in text
+    assert len(bpy.data.objects) == 1
+    only_select(add_surface(saddle, "Roof Two"))
+    result, text = run("hatch", light=(0.0, 0.0, 1.0), spacing=0.1)
+    assert "Roof Two lies in the light" in text
+    result, text = run("hatch", light=(0.0, 0.0, -1.0), spacing=100.0)
+    assert "Roof Two has no room for lines 100 m apart" in text

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -16,6 +17,7 @@ from models import (
     TUBE,
     add_surface,
     add_torus,
+    barrel,
     dome,
     only_select,
     plate,
@@ -114,6 +116,19 @@ def test_a_later_run_replaces_its_own_output_only() -> None:
     assert report_of(obj)["curvature_lines"]["spacing"] == pytest.approx(1.0)
 
 
+def test_a_model_can_be_traced_again_from_its_own_lines() -> None:
+    obj = add_torus()
+    for spacing in (0.8, 0.9, 1.0):
+        bpy.ops.curvature.trace_lines(spacing=spacing)
+        only_select(bpy.data.objects["Ring Lines 1"])
+    bpy.ops.curvature.trace_lines(spacing=0.7)
+    assert bpy.context.view_layer.objects.active == obj
+    assert obj.select_get()
+    only_select(bpy.data.objects["Ring Lines 2"])
+    bpy.ops.curvature.clear()
+    assert bpy.context.view_layer.objects.active == obj
+
+
 def test_one_family_only_drops_the_other_of_the_run_before() -> None:
     obj = add_torus()
     bpy.ops.curvature.trace_lines(spacing=0.8)
@@ -193,10 +208,42 @@ def test_a_flat_plate_has_no_lines_and_one_umbilic_area(run: Callable[..., Any])
     result, text = run("trace_lines", spacing=0.2)
     assert (result, text) == (
         {"FINISHED"},
-        "Info: Traced Roof: 0 lines of family 1 and 0 lines of family 2, 0 m long",
+        "Warning: Traced Roof: no lines; Roof is flat or spherical everywhere, where there are no "
+        "directions to follow",
     )
     assert report_of(obj)["curvature_lines"]["family_1"] == {"count": 0, "length": 0.0, "lines": []}
     assert len(report_of(obj)["umbilic_areas"]) == 1
+
+
+@pytest.mark.parametrize(
+    ("shape", "options", "reason"),
+    [
+        (dome, {"spacing": 0.2}, "Roof is flat or spherical everywhere"),
+        (barrel, {"kind": "ASYMPTOTIC"}, "Roof is a saddle nowhere"),
+        (saddle, {"spacing": 50.0}, "Roof has no room for lines 50 m apart"),
+    ],
+)
+def test_a_model_without_lines_is_told_why(
+    shape: Callable, options: dict[str, Any], reason: str, run: Callable[..., Any]
+) -> None:
+    add_surface(shape)
+    result, text = run("trace_lines", **options)
+    assert result == {"FINISHED"}
+    assert text.startswith(f"Warning: Traced Roof: no lines; {reason}")
+    assert len(bpy.data.objects) == 1
+
+
+def test_a_spacing_far_finer_than_the_faces_is_refused(run: Callable[..., Any]) -> None:
+    add_surface(saddle, steps=4)
+    result, text = run("trace_lines", spacing=0.004)
+    assert result == {"CANCELLED"}
+    # Sides of triangles over cells of half a meter, diagonals included.
+    (size,) = re.findall(r"too fine for faces of ([\d.]+) m", text)
+    assert 0.5 <= float(size) <= 1.0
+    result, _ = run("trace_lines", spacing=0.02, families="FIRST")
+    assert result == {"FINISHED"}
+    # A hundred lines cross the saddle, of 2.1 m; some end where two rulings of lines converge.
+    assert report_of(bpy.data.objects["Roof"])["curvature_lines"]["family_1"]["length"] > 180.0
 
 
 def test_too_fine_a_spacing_is_refused(run: Callable[..., Any]) -> None:

@@ -5,14 +5,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from types import SimpleNamespace
 from typing import Any
 
 import bpy
 import pytest
 from architectural_curvature.addon.bridge import display, subject
-from layout_stub import Layout
-from models import STRICT, add_surface, barrel, dome, only_select, plate
+from layout_stub import draw_panel
+from models import STRICT, add_surface, dome, only_select, plate
 
 
 def _panels() -> list[type]:
@@ -21,26 +20,6 @@ def _panels() -> list[type]:
     ]
     assert found
     return sorted(found, key=lambda panel: panel.__name__)
-
-
-def _draw(name: str) -> Layout:
-    layout = Layout()
-    panel = getattr(bpy.types, f"CURVATURE_PT_{name}")
-    context = _Context()
-    if hasattr(panel, "poll") and not panel.poll(context):
-        return layout
-    panel.draw(SimpleNamespace(layout=layout), context)
-    return layout
-
-
-class _Context:
-    """Blender's context with a region, which it lacks without a window."""
-
-    region = SimpleNamespace(width=280)
-    preferences = SimpleNamespace(system=SimpleNamespace(ui_scale=1.0))
-
-    def __getattr__(self, name: str) -> object:
-        return getattr(bpy.context, name)
 
 
 def _nothing() -> None:
@@ -126,7 +105,7 @@ def test_every_panel_draws_and_measures_nothing(
     for module in (display, subject):
         monkeypatch.setattr(module, "read_object", refuse)
     for panel in _panels():
-        _draw(panel.__name__.removeprefix("CURVATURE_PT_"))
+        draw_panel(panel.__name__.removeprefix("CURVATURE_PT_"))
 
 
 @pytest.mark.parametrize("quantity", ["NONE", "GAUSSIAN", "MEAN", "K1", "K2", "CLASS", "REGION"])
@@ -138,7 +117,7 @@ def test_analysis_panel_offers_what_matters_for_the_quantity(
     settings = bpy.context.scene.curvature
     settings.range_mode = range_mode
     settings.quantity = quantity
-    shown = _draw("analysis")
+    shown = draw_panel("analysis")
     assert "curvature.analyze" in shown.operators
     assert "quantity" in shown.properties
     has_map = quantity in ("GAUSSIAN", "MEAN", "K1", "K2")
@@ -151,7 +130,7 @@ def test_segmentation_panel_says_the_radius_limit_in_words() -> None:
     add_surface(plate)
     bpy.context.scene.curvature.panel_size = 1.2
     bpy.context.scene.curvature.deviation = 0.006
-    shown = _draw("segmentation")
+    shown = draw_panel("segmentation")
     words = " ".join(shown.texts)
     # s² / (8 d) = 1.44 / 0.048 = 30 m.
     assert "radius of 30 m" in words
@@ -163,17 +142,17 @@ def test_defaults_of_the_model_are_said_before_it_is_segmented() -> None:
     """A plate with a diagonal of 2 sqrt(2) m: panels of 0.141 m, limit 25 s = 3.54 m."""
     add_surface(plate)
     bpy.context.view_layer.update()
-    assert "radius of 3.54 m" in " ".join(_draw("segmentation").texts)
+    assert "radius of 3.54 m" in " ".join(draw_panel("segmentation").texts)
 
 
 def test_results_panel_asks_for_a_segmentation() -> None:
     _analyzed()
-    assert "Segment a model to see its classes" in _draw("results").texts
+    assert "Segment a model to see its classes" in draw_panel("results").texts
 
 
 def test_results_panel_has_every_class_with_its_figures() -> None:
     _segmented()
-    shown = _draw("results")
+    shown = draw_panel("results")
     words = " | ".join(shown.texts)
     for part in ("Flat", "Single-Curved", "100.0 %", "0.0 %", "256 faces", "1 region"):
         assert part.lower() in words.lower(), words
@@ -189,36 +168,36 @@ def test_results_panel_tells_when_the_settings_are_others_by_now() -> None:
     settings.deviation = 0.013
     add_surface(dome)
     bpy.ops.curvature.segment()
-    assert hint not in " ".join(_draw("results").texts)
+    assert hint not in " ".join(draw_panel("results").texts)
     for name, value in (("deviation", 0.02), ("crease_angle", 0.3), ("smoothing", "NONE")):
         before = getattr(settings, name)
         setattr(settings, name, value)
-        assert hint in " ".join(_draw("results").texts)
+        assert hint in " ".join(draw_panel("results").texts)
         setattr(settings, name, before)
     # The limits of criteria that were not chosen do not count.
     settings.smallest_radius = 7.0
-    assert hint not in " ".join(_draw("results").texts)
+    assert hint not in " ".join(draw_panel("results").texts)
     bpy.ops.curvature.segment(deviation=0.02)
-    assert hint in " ".join(_draw("results").texts)
+    assert hint in " ".join(draw_panel("results").texts)
 
 
 def test_results_of_the_copy_are_shown_for_its_source() -> None:
     _on_a_copy()
-    expected = _draw("results").texts
+    expected = draw_panel("results").texts
     source = bpy.data.objects["Roof"]
     source.hide_set(False)
     only_select(source)
-    assert _draw("results").texts == expected
+    assert draw_panel("results").texts == expected
 
 
 def test_warnings_are_shown_only_where_there_are_some() -> None:
     _segmented()
-    assert not _draw("warnings").texts
+    assert not draw_panel("warnings").texts
     bpy.ops.curvature.clear()
     bpy.context.object.data.vertices.add(2)
     bpy.context.object.data.update()
     bpy.ops.curvature.segment(**STRICT)
-    assert " ".join(_draw("warnings").texts).startswith("2 vertices have no faces")
+    assert " ".join(draw_panel("warnings").texts).startswith("2 vertices have no faces")
 
 
 def test_panels_are_in_the_sidebar_tab() -> None:
@@ -238,7 +217,7 @@ def test_panels_are_in_the_sidebar_tab() -> None:
 def test_segmentation_panel_has_the_fields_that_matter(criterion: str, fields: list[str]) -> None:
     add_surface(plate)
     bpy.context.scene.curvature.criterion = criterion
-    shown = _draw("segmentation")
+    shown = draw_panel("segmentation")
     assert shown.properties == ["criterion", *fields, "min_area_shown", "crease_angle"]
     asks = "Set the limits, or choose a preset" in " ".join(shown.texts)
     assert asks == (criterion != "PANEL")
@@ -246,11 +225,11 @@ def test_segmentation_panel_has_the_fields_that_matter(criterion: str, fields: l
 
 def test_segmentation_panel_names_the_preset_and_its_source() -> None:
     add_surface(plate)
-    assert _draw("segmentation").texts[0] == "Presets"
+    assert draw_panel("segmentation").texts[0] == "Presets"
     settings = bpy.context.scene.curvature
     settings.criterion, settings.smallest_radius = "RADIUS", 12.0
     settings.criterion_preset, settings.criterion_source = "Cold-bent Glass 8 mm", "By Sedak"
-    shown = _draw("segmentation")
+    shown = draw_panel("segmentation")
     assert shown.texts[0] == "Cold-bent Glass 8 mm"
     assert "By Sedak" in shown.texts
     assert "radius of at least 12 m" in " ".join(shown.texts)
@@ -259,35 +238,4 @@ def test_segmentation_panel_names_the_preset_and_its_source() -> None:
 def test_changes_panel_names_the_criterion_before() -> None:
     _segmented()
     bpy.ops.curvature.segment(smallest_radius=1.0)
-    assert "before: single-curved: within 10 mm" in " ".join(_draw("changes").texts)
-
-
-def test_lines_panel_counts_what_the_model_has() -> None:
-    _mesh()
-    shown = _draw("lines")
-    assert shown.operators == ["curvature.trace_lines", "curvature.find_umbilics"]
-    assert "fit_tolerance_shown" not in shown.properties
-    bpy.context.scene.curvature.fit_curves = True
-    assert "fit_tolerance_shown" in _draw("lines").properties
-    bpy.context.scene.curvature.fit_curves = False
-    only_select(add_surface(barrel, "Vault"))
-    bpy.ops.curvature.trace_lines(spacing=0.25)
-    bpy.ops.curvature.find_umbilics()
-    shown = _draw("lines")
-    count = len(bpy.data.objects["Vault Lines 1"].data.splines)
-    words = " ".join(shown.texts)
-    assert f"Lines 1 {count} lines, " in words
-    assert "Umbilics 0 points" in words
-    assert shown.operators[-1] == "curvature.export_lines"
-    only_select(bpy.data.objects["Vault Lines 2"])
-    assert _draw("lines").texts == shown.texts
-
-
-def test_hatching_panel_asks_for_a_light_only_where_it_shades() -> None:
-    assert "hatch_light" in _draw("hatching").properties
-    bpy.context.scene.curvature.hatch_tone = "CURVATURE"
-    assert "hatch_light" not in _draw("hatching").properties
-
-
-def test_single_lines_can_be_picked_or_run_through_points() -> None:
-    assert _draw("picking").operators == ["curvature.pick_lines", "curvature.trace_through"]
+    assert "before: single-curved: within 10 mm" in " ".join(draw_panel("changes").texts)

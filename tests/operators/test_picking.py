@@ -13,20 +13,20 @@ import bpy
 import numpy as np
 import pytest
 from architectural_curvature.addon import steps
-from architectural_curvature.addon.bridge.pointing import cast_ray
 from architectural_curvature.addon.choices import line_plan
+from architectural_curvature.addon.geometry.lines.lines import CurvatureLines
 from architectural_curvature.addon.overlay import preview
 from architectural_curvature.addon.tracing.picking import Picker, prepare_picker
 from architectural_curvature.operators import pick_lines
 from bpy.types import Object
-from mathutils import Euler, Matrix, Vector
-from models import RADIUS, add_surface, barrel, only_select, own_attributes
+from mathutils import Euler, Matrix
+from models import RADIUS, add_surface, barrel, only_select, own_attributes, plate
 
 
 @pytest.fixture
 def vault() -> Object:
     """A barrel vault along y that stands turned and stretched in the world."""
-    obj = add_surface(barrel, "Vault")
+    obj = add_surface(barrel, "Vault", 64)
     obj.matrix_world = Matrix.LocRotScale((5.0, 1.0, 0.0), Euler((0.0, 0.0, 0.5)), (2.0, 2.0, 2.0))
     bpy.context.view_layer.update()
     return obj
@@ -36,28 +36,37 @@ def _picker(obj: Object) -> Picker:
     return steps.complete(prepare_picker(bpy.context, obj, line_plan(bpy.context)))
 
 
-def test_ray_meets_the_model(vault: Object) -> None:
-    above = Vector((5.0, 1.0, 50.0))
-    place = cast_ray(bpy.context, above, Vector((0.0, 0.0, -1.0)), vault)
-    assert place is not None
-    np.testing.assert_allclose(place, (5.0, 1.0, 2.0 * RADIUS), atol=1e-3)
-    assert cast_ray(bpy.context, above, Vector((0.0, 0.0, 1.0)), vault) is None
+DOWN = np.array([0.0, 0.0, -1.0])
+RIDGE = np.array([5.0, 1.0, 2.0 * RADIUS])
 
 
-def test_both_lines_run_through_the_place(vault: Object) -> None:
+def _lines_below(picker: Picker, place: np.ndarray) -> CurvatureLines:
+    seen = picker.seen(place - 50.0 * DOWN, DOWN)
+    assert seen is not None
+    assert seen.advance(np.inf)
+    return seen.lines()
+
+
+def test_both_lines_run_through_what_is_seen(vault: Object) -> None:
     picker = _picker(vault)
-    place = np.array([5.0, 1.0, 2.0 * RADIUS])
-    lines = picker.tracing(place)(lambda _share: None)
+    lines = _lines_below(picker, RIDGE)
     assert sorted(lines.family.tolist()) == [1, 2]
     for points in picker.in_world(lines):
-        assert np.linalg.norm(points - place, axis=1).min() < 0.15
+        assert np.linalg.norm(points - RIDGE, axis=1).min() < 0.15
     ruling = picker.in_world(lines)[lines.family.tolist().index(2)]
     np.testing.assert_allclose(np.ptp(ruling[:, 2]), 0.0, atol=0.01)
+    assert picker.seen(RIDGE + 50.0 * DOWN, DOWN) is None
+
+
+def test_model_is_seen_in_edit_mode_too(vault: Object) -> None:
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert _lines_below(_picker(vault), RIDGE).count == 2
+    assert vault.mode == "EDIT"
 
 
 def test_looking_changes_nothing_and_keeping_adds_lines(vault: Object) -> None:
     picker = _picker(vault)
-    lines = picker.tracing(np.array([5.0, 1.0, 4.0]))(lambda _share: None)
+    lines = _lines_below(picker, RIDGE)
     assert not own_attributes(vault)
     assert list(bpy.data.objects) == [vault]
     picker.keep(bpy.context, lines)
@@ -71,7 +80,7 @@ def test_looking_changes_nothing_and_keeping_adds_lines(vault: Object) -> None:
 
 def test_tracing_lines_leaves_those_that_were_picked(vault: Object) -> None:
     picker = _picker(vault)
-    picker.keep(bpy.context, picker.tracing(np.array([5.0, 1.0, 4.0]))(lambda _share: None))
+    picker.keep(bpy.context, _lines_below(picker, RIDGE))
     only_select(vault)
     bpy.ops.curvature.trace_lines(spacing=1.0)
     assert len(bpy.data.objects["Vault Picked Lines 1"].data.splines) == 1
@@ -121,8 +130,7 @@ class _Session:
         self.operator = type("Operator", (), {k: v for k, v in methods.items() if callable(v)})()
         self.operator.bl_label = "Pick Lines"
         self.operator.report = lambda _kind, text: self.texts.append(text)
-        self.operator._picker = self.operator._lines = self.operator._run = None
-        self.operator._wanted = self.operator._timer = None
+        self.operator._picker = self.operator._pointed = self.operator._timer = None
         self.operator._mouse = (50, 50)
         self.operator._kept = 0
         self.texts: list[str] = []
@@ -137,8 +145,7 @@ class _Session:
             view_layer=bpy.context.view_layer,
             evaluated_depsgraph_get=bpy.context.evaluated_depsgraph_get,
         )
-        place = np.array([5.0, 1.0, 4.0])
-        monkeypatch.setattr(pick_lines, "pointed_at", lambda *_: place)
+        monkeypatch.setattr(pick_lines, "ray_through", lambda *_: (RIDGE - 50.0 * DOWN, DOWN))
 
     def send(self, kind: str, value: str = "PRESS", x: int = 50) -> set[str]:
         event = SimpleNamespace(
@@ -178,6 +185,33 @@ def test_mouse_shows_and_click_keeps_both_lines(session: _Session) -> None:
     assert session.send("ESC") == {"FINISHED"}
     assert session.texts[-1] == "Kept 2 lines"
     assert preview.shown() == []
+
+
+def test_click_keeps_whole_lines_before_they_are_shown(
+    session: _Session, vault: Object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    session.wait(lambda: session.operator._picker is not None)
+    monkeypatch.setattr(pick_lines, "_PATIENCE", -1.0)
+    session.send("MOUSEMOVE")
+    assert not session.operator._pointed.is_done
+    session.send("LEFTMOUSE")
+    session.send("ESC")
+    whole = _lines_below(_picker(vault), RIDGE)
+    kept = bpy.data.objects["Vault Picked Lines 2"].data.get("curvature_lengths")
+    assert kept[0] == pytest.approx(whole.length[whole.family == 2][0])
+
+
+def test_status_tells_where_there_are_no_lines(monkeypatch: pytest.MonkeyPatch) -> None:
+    started = _Session(add_surface(plate, "Plate"), monkeypatch)
+    above = np.array([0.1, 0.1, 5.0])
+    monkeypatch.setattr(pick_lines, "ray_through", lambda *_: (above, DOWN))
+    started.wait(lambda: started.operator._picker is not None)
+    assert "No Lines Here" in started.texts[-1]
+    monkeypatch.setattr(pick_lines, "ray_through", lambda *_: (above, -DOWN))
+    started.send("MOUSEMOVE")
+    assert "Click: Keep the Lines" in started.texts[-1]
+    started.send("LEFTMOUSE")
+    assert started.send("ESC") == {"CANCELLED"}
 
 
 @pytest.mark.parametrize("end", ["ESC", "RIGHTMOUSE"])

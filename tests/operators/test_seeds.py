@@ -10,7 +10,7 @@ from typing import Any
 import bpy
 import numpy as np
 import pytest
-from models import RING, TUBE, add_torus, deselect_all, world_points
+from models import RING, TUBE, add_surface, add_torus, deselect_all, dome, world_points
 
 
 def test_lines_run_through_the_cursor() -> None:
@@ -48,3 +48,25 @@ def test_lines_run_through_selected_vertices(mode: str, run: Callable[..., Any])
     for number in (3, 500):
         place = np.array(obj.data.vertices[number].co)
         assert np.linalg.norm(points - place, axis=1).min() < 0.02
+
+
+@pytest.mark.parametrize(
+    ("kind", "where"),
+    [("ASYMPTOTIC", "saddles only"), ("PRINCIPAL", "curved parts only, not spherical")],
+)
+def test_where_no_lines_run_is_told(kind: str, where: str, run: Callable[..., Any]) -> None:
+    add_surface(dome)
+    assert run("trace_through", kind=kind) == (
+        {"CANCELLED"},
+        f"Error: Roof: no lines run through these points: there are some in {where}",
+    )
+
+
+def test_asymptotic_lines_do_not_run_outside_of_saddles(run: Callable[..., Any]) -> None:
+    add_torus()
+    bpy.context.scene.cursor.location = (RING + TUBE, 0.0, 0.0)
+    result, text = run("trace_through", kind="ASYMPTOTIC")
+    assert result == {"CANCELLED"}
+    assert text.endswith("in saddles only")
+    bpy.context.scene.cursor.location = (RING - TUBE, 0.0, 0.0)
+    assert run("trace_through", kind="ASYMPTOTIC")[0] == {"FINISHED"}

@@ -25,7 +25,7 @@ _BACK = 0.5
 #: Lines end within this share of the spacing from an umbilic, where they begin to leave it.
 _UMBILIC = 0.25
 #: Strength of an asymptotic direction over that of the principal ones where lines end.
-_PARABOLIC = 0.05
+PARABOLIC = 0.05
 #: Most neighbors that are looked at; more than a line has samples of its own within its reach.
 _PARTNERS = 10
 #: The same of lines placed before, of which few are in reach.
@@ -154,7 +154,7 @@ def end_at_parabolic(field: DirectionField, moving: Walkers, state: Arms, active
         principal = field.evaluate(
             moving.triangle[lines], moving.barycentric[lines], np.ones(len(lines), dtype=np.int64)
         )[2]
-        state.end[active[lines[strength <= _PARABOLIC * principal]]] = LineEnd.PARABOLIC
+        state.end[active[lines[strength <= PARABOLIC * principal]]] = LineEnd.PARABOLIC
 
 
 def end_at_umbilics(field: DirectionField, around: Surroundings, new: Trail, state: Arms) -> None:
@@ -177,9 +177,10 @@ def end_at_neighbors(
     recent: Samples, seen: Samples, placed: Samples, state: Arms, rules: Rules
 ) -> None:
     """End arms that came too close to lines placed before, to others traced now, or to itself."""
-    sample, other = close_pairs(recent, placed, rules.spacing, rules.nearest, _PLACED)
-    sample = sample[_side_by_side(recent.chosen(sample), placed.chosen(other))]
-    _cut(state, recent.arm[sample], recent.arc[sample], rules)
+    if len(placed):
+        sample, other = close_pairs(recent, placed, rules.spacing, rules.nearest, _PLACED)
+        sample = sample[_side_by_side(recent.chosen(sample), placed.chosen(other))]
+        _cut(state, recent.arm[sample], recent.arc[sample], rules)
     sample, other = close_pairs(recent, seen, rules.spacing, rules.nearest, _PARTNERS)
     one, two = recent.chosen(sample), seen.chosen(other)
     is_kept = (two.arc <= state.cut[two.arm]) & (one.arc <= state.cut[one.arm])
@@ -217,7 +218,9 @@ def _meet_itself(state: Arms, one: Samples, two: Samples, flags: Flags, rules: R
     state.end[np.repeat(2 * np.flatnonzero(state.closing), 2).reshape(-1, 2) + [0, 1]] = (
         LineEnd.CLOSED
     )
-    _cut(state, one.arm[~is_meeting], one.arc[~is_meeting], rules)
+    # On a short ring the arms of a line that closes may have passed their own seed as well.
+    is_beside = ~is_meeting & ~state.closing[one.line]
+    _cut(state, one.arm[is_beside], one.arc[is_beside], rules)
 
 
 def _meet_others(state: Arms, one: Samples, two: Samples, flags: Flags, rules: Rules) -> None:

@@ -23,7 +23,7 @@ from .triangulation import Triangulation, triangulate
 from .vectors import cross, dot, unit
 
 #: Cosine between a triangle and the interpolated normal that is taken where the mesh folds over.
-_STEEPEST = 0.1
+STEEPEST = 0.1
 
 
 #: Strength times the diagonal that counts as none by default: over a twentieth of the diagonal the
@@ -159,7 +159,7 @@ class DirectionField:
         angle, strength = _turned(angle, strength, values[:, 12], family)
         tangent = np.cos(angle)[:, None] * first + np.sin(angle)[:, None] * second
         flat = frame[:, 2]
-        cosine = np.maximum(dot(normal, flat), _STEEPEST)
+        cosine = np.maximum(dot(normal, flat), STEEPEST)
         course = unit(tangent - (dot(tangent, flat) / cosine)[:, None] * normal)
         return tangent, course, strength
 

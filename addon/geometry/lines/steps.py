@@ -16,13 +16,14 @@ from .vectors import dot, unit
 
 #: Most turn of a line from one step to the next, in radians; more is taken in shorter steps, but
 #: not in shorter ones than this share.
-_TURN, _LEAST = 0.2, 0.1
-_STRAIGHT = float(np.cos(_TURN))
+TURN, LEAST = 0.2, 0.1
+STRAIGHT = float(np.cos(TURN))
 #: A middle direction that leaves the triangle in less than this share of the expected way grazes a
 #: side; there the first direction leads into the triangle.
-_GRAZING = 0.2
-#: A stuck walker moves by this share towards the middle of its triangle.
-_NUDGE = 1e-3
+GRAZING = 0.2
+#: After so many steps without progress a walker is stuck, and moves by this share towards the
+#: middle of its triangle.
+STUCK, NUDGE = 12, 1e-3
 
 
 @dataclass
@@ -110,10 +111,10 @@ def follow(field: DirectionField, walkers: Walkers, reach: Floats) -> tuple[Floa
     tangent, course, _ = field.evaluate(triangle, middle, walkers.family)
     tangent, course = _aligned(tangent, course, walkers.heading)
     cosine = dot(tangent, walkers.heading)
-    bent = np.flatnonzero((cosine < _STRAIGHT) & (length > 0.0))
+    bent = np.flatnonzero((cosine < STRAIGHT) & (length > 0.0))
     if len(bent):
         turn = np.arccos(np.clip(cosine[bent], -1.0, 1.0))
-        length[bent] *= np.maximum(_TURN / turn, _LEAST)
+        length[bent] *= np.maximum(TURN / turn, LEAST)
         middle = start[bent] + (0.5 * length[bent])[:, None] * guess[bent]
         again = field.evaluate(triangle[bent], middle, walkers.family[bent])
         tangent[bent], course[bent] = _aligned(again[0], again[1], walkers.heading[bent])
@@ -122,7 +123,7 @@ def follow(field: DirectionField, walkers: Walkers, reach: Floats) -> tuple[Floa
     is_short = reach < free
     is_short[bent] = True
     # Along a side both directions may point out, each into the other triangle: go by the first.
-    grazes = (way < _GRAZING * length) & (length > 0.0)
+    grazes = (way < GRAZING * length) & (length > 0.0)
     stops = grazes | (is_short & (length < way))
     way = np.where(stops, np.where(grazes, 0.5 * length, length), way)
     side = np.where(stops, -1, side)
@@ -228,8 +229,8 @@ def _aligned(tangent: Floats, course: Floats, heading: Floats) -> tuple[Floats, 
 def _unstick(walkers: Walkers, way: Floats, edge_length: float) -> None:
     """Move walkers that turn around a corner without end a little into their triangle."""
     walkers.idle = np.where(way > 1e-9 * edge_length, 0, walkers.idle + 1)
-    stuck = np.flatnonzero(walkers.idle > 12)
+    stuck = np.flatnonzero(walkers.idle > STUCK)
     if len(stuck):
-        moved = (1.0 - _NUDGE) * walkers.barycentric[stuck] + _NUDGE / 3.0
+        moved = (1.0 - NUDGE) * walkers.barycentric[stuck] + NUDGE / 3.0
         walkers.barycentric[stuck] = moved
-        walkers.idle[stuck] = 6
+        walkers.idle[stuck] = STUCK // 2

@@ -117,8 +117,7 @@ def trace_from(
         Family by family, in the order of the points. Points on umbilics and in umbilic areas have
         no lines.
     """
-    spacing = lines.own_spacing
-    rules = Rules(spacing=spacing, nearest=_NEAREST * spacing, competes=False)
+    rules = own_rules(lines)
     seeds = make_seeds(
         np.tile(triangle, len(families)),
         np.tile(barycentric, (len(families), 1)),
@@ -127,6 +126,12 @@ def trace_from(
     seeds = usable(lines, seeds)
     state, samples = trace(lines.field, lines.own_surroundings, seeds, lines.no_samples, rules)
     return assemble(lines.field, state, samples, rules, 0.0)
+
+
+def own_rules(lines: LineField) -> Rules:
+    """Return when lines end that are traced each for itself."""
+    spacing = lines.own_spacing
+    return Rules(spacing=spacing, nearest=_NEAREST * spacing, competes=False)
 
 
 def usable(lines: LineField, seeds: Seeds) -> Seeds:

@@ -16,7 +16,6 @@ from .endings import (
     Arms,
     Rules,
     Surroundings,
-    end_at_neighbors,
     end_at_parabolic,
     end_at_sides,
     end_at_umbilics,
@@ -27,13 +26,7 @@ from .samples import Samples, Trail, joined, no_trail, take_samples
 from .seeds import Seeds
 from .steps import follow, start_walkers
 from .umbilics import Umbilics
-
-#: Least number of steps between two looks at other lines.
-_LOOK = 8
-#: Steps of one arm that cost as much as a look does.
-_FEW = 128
-#: Way between two looks, over the side of a triangle, below which an arm is stuck.
-_SLOWEST = 0.02
+from .watch import Watch
 
 
 def trace(
@@ -77,10 +70,8 @@ def trace(
         closing=np.zeros(len(seeds), dtype=np.bool_),
     )
     parts, sparse = [first, _at_umbilics(field, around.umbilics, seeds, tangent)], [first]
-    looked = np.zeros(len(arm))
-    looks = max(_LOOK, int(rules.spacing / field.mesh.edge_length), _FEW // max(len(arm), 1))
-    before, is_new = arc.copy(), np.ones(len(arm), dtype=np.bool_)
-    count, seen = 0, take_samples(field, no_trail())
+    looked, count = np.zeros(len(arm)), 0
+    watch = Watch(field, placed, rules, state)
     while len(active := np.flatnonzero(state.end < 0)):
         moving = walkers.chosen(active)
         way, side = follow(field, moving, np.full(len(active), STEP * rules.spacing))
@@ -102,13 +93,9 @@ def trace(
         end_at_parabolic(field, moving, state, active)
         walkers.put(active, moving)
         count += 1
-        if count % looks == 0 or not (state.end[active] < 0).any():
-            recent = take_samples(field, joined(sparse))
-            seen, sparse = joined([seen, recent]), [no_trail()]
-            is_stuck = (state.end < 0) & (arc - before < _SLOWEST * field.mesh.edge_length)
-            state.end[is_stuck & ~is_new] = LineEnd.FOLD
-            before, is_new = arc.copy(), np.zeros(len(arm), dtype=np.bool_)
-            end_at_neighbors(recent, seen, placed, state, rules)
+        if count % watch.interval == 0 or not (state.end[active] < 0).any():
+            watch.look(joined(sparse), arc)
+            sparse = [no_trail()]
     return state, take_samples(field, joined(parts))
 
 

@@ -5,7 +5,7 @@
 from math import radians
 
 import bpy
-from buttons import press
+from buttons import find, press
 from mathutils import Euler
 from session import (
     Steps,
@@ -35,8 +35,12 @@ def scenario(model: str) -> Steps:
     yield from show_sidebar("Curvature")
     view = region("WINDOW")
     record(view=[view.x, view.y, view.width, view.height])
-    with in_view3d():
-        bpy.ops.curvature.pick_lines("INVOKE_DEFAULT")
+    # The closed sub-panel with the button lies below this one.
+    x, y = yield from find("curvature.find_umbilics")
+    yield click(x, y - 26 * bpy.context.preferences.system.ui_scale)
+    yield wait(0.5)
+    yield shot("panel")
+    yield from press("curvature.pick_lines")
     yield wait(3.0)
     x, y = view.x + 0.36 * view.width, view.y + 0.36 * view.height
     yield move(x + 2, y)
