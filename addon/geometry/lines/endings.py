@@ -14,6 +14,7 @@ from .lines import LineEnd
 from .samples import Samples, Trail, close_pairs
 from .steps import Walkers, cross
 from .umbilics import Umbilics
+from .vectors import dot, unit
 
 #: Most way in one step, and about the way between the places that are compared with other lines,
 #: over the spacing.
@@ -22,6 +23,8 @@ STEP = 0.25
 _OWN = 1.5
 #: Or if they are no closer than this share of the way between them; half a circle has 0.64.
 _BACK = 0.5
+#: And if their normals agree up to this cosine.
+_FACING = 0.5
 #: Lines end within this share of the spacing from an umbilic, where they begin to leave it.
 _UMBILIC = 0.25
 #: Strength of an asymptotic direction over that of the principal ones where lines end.
@@ -32,6 +35,9 @@ _PARTNERS = 10
 _PLACED = 3
 #: Cosine between the courses of two lines of a family up to which one lies across the other.
 _ACROSS = 0.3
+#: An arm comes around to its start if it goes the same way there but for this cosine, misses it by
+#: less than this share of its way, and was behind it by more than this share.
+_STRAIGHT, _AROUND, _BEHIND = 0.5, 0.1, 0.01
 
 
 @dataclass(frozen=True)
@@ -67,12 +73,16 @@ class Arms:
         Lines that turned out to repeat another one.
     closing : (n,) bool
         Lines whose arms met.
+    turned : (2n,) float64
+        Way in meters at which an arm came back beside its own line: there it ends, if the line
+        does not close.
     """
 
     end: Indices
     cut: Floats
     is_removed: Flags
     closing: Flags
+    turned: Floats
 
 
 @dataclass(frozen=True)
@@ -157,6 +167,41 @@ def end_at_parabolic(field: DirectionField, moving: Walkers, state: Arms, active
         state.end[active[lines[strength <= _PARABOLIC * principal]]] = LineEnd.PARABOLIC
 
 
+def end_at_seeds(
+    field: DirectionField, first: Samples, lowest: Floats, new: Trail, state: Arms, rules: Rules
+) -> None:
+    """Close lines of which an arm has come around to where it started.
+
+    A ring around a thin pipe is passed many times between two looks at other lines.
+
+    Parameters
+    ----------
+    field : DirectionField
+    first : Samples
+        Where the arms started.
+    lowest : (2n,) float64
+        How far behind its start each arm has been, seen in the direction it started in, as a
+        negative number in meters. Changed.
+    new : Trail
+        Where the arms are now.
+    state : Arms
+        Changed.
+    rules : Rules
+    """
+    seed = first.chosen(new.arm)
+    corner = field.mesh.position[field.mesh.triangles[new.triangle]]
+    apart = np.einsum("nc,ncx->nx", new.barycentric, corner) - seed.position
+    ahead = dot(apart, seed.heading)
+    lowest[new.arm] = np.minimum(lowest[new.arm], ahead)
+    is_past = (ahead >= 0.0) & (ahead < 0.5 * rules.spacing) & (ahead < 0.5 * new.arc)
+    is_past &= lowest[new.arm] < -_BEHIND * new.arc
+    passed = np.flatnonzero(is_past & (dot(new.heading, seed.heading) > _STRAIGHT))
+    aside = apart[passed] - ahead[passed, None] * seed.heading[passed]
+    near = np.minimum(rules.nearest, _AROUND * new.arc[passed])
+    passed = passed[dot(aside, aside) < near**2]
+    _close(state, np.unique(new.arm[passed] // 2))
+
+
 def end_at_umbilics(field: DirectionField, around: Surroundings, new: Trail, state: Arms) -> None:
     """End lines where they begin to leave an umbilic that they came close to."""
     if not around.umbilics.count:
@@ -199,11 +244,13 @@ def _side_by_side(one: Samples, two: Samples) -> Flags:
 def far_along(one: Samples, two: Samples, spacing: float) -> Flags:
     """Return pairs of samples of one line between which there is much of it, (n,) bool.
 
-    More than a while, or much more than their distance: around a thin pipe it is not far.
+    More than a while, or much more than their distance: around a thin pipe it is not far. Neither
+    is what lies on its other side, where the line is on its way back.
     """
     way = np.abs(one.signed_arc - two.signed_arc)
     apart = np.linalg.norm(one.position - two.position, axis=1)
-    return (way > _OWN * spacing) | (apart < _BACK * way)
+    is_facing = dot(unit(one.normal), unit(two.normal)) > _FACING
+    return is_facing & ((way > _OWN * spacing) | (apart < _BACK * way))
 
 
 def _meet_itself(state: Arms, one: Samples, two: Samples, flags: Flags, rules: Rules) -> None:
@@ -213,11 +260,17 @@ def _meet_itself(state: Arms, one: Samples, two: Samples, flags: Flags, rules: R
     ahead = np.einsum("nx,nx->n", apart, two.heading)
     opposite = np.einsum("nx,nx->n", one.heading, two.heading) < 0.0
     is_meeting = (one.arm != two.arm) & opposite
-    state.closing[one.line[is_meeting & (ahead <= 0.0)]] = True
-    state.end[np.repeat(2 * np.flatnonzero(state.closing), 2).reshape(-1, 2) + [0, 1]] = (
-        LineEnd.CLOSED
-    )
-    _cut(state, one.arm[~is_meeting], one.arc[~is_meeting], rules)
+    _close(state, one.line[is_meeting & (ahead <= 0.0)])
+    arm, arc = one.arm[~is_meeting], one.arc[~is_meeting]
+    np.minimum.at(state.turned, arm, np.maximum(arc - STEP * rules.spacing, 0.0))
+    is_open = ~state.closing[arm // 2]
+    _cut(state, arm[is_open], arc[is_open], rules)
+
+
+def _close(state: Arms, line: Indices) -> None:
+    """End both arms of lines that met themselves."""
+    state.closing[line] = True
+    state.end[np.concatenate([2 * line, 2 * line + 1])] = LineEnd.CLOSED
 
 
 def _meet_others(state: Arms, one: Samples, two: Samples, flags: Flags, rules: Rules) -> None:

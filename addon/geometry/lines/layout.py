@@ -24,9 +24,10 @@ from .assembly import assemble
 from .continuing import continuing_seeds
 from .endings import Rules, Surroundings, surroundings
 from .field import PRINCIPAL, Family
+from .guides import ACROSS, balance, guide_seeds, measured_seeds
 from .lines import CurvatureLines, joined_lines, no_lines
 from .samples import Samples, distances, joined, seed_samples
-from .seeding import gap_seeds, guide_seeds, hole_seeds, measured_seeds, ray_seeds, samples_along
+from .seeding import gap_seeds, hole_seeds, ray_seeds, samples_along
 from .seeds import Seeds
 from .tracer import LineField, usable
 from .tracing import trace
@@ -128,6 +129,7 @@ def trace_evenly(
     """
     if not (np.isfinite(spacing) and spacing > 0.0):
         raise InvalidSettingError(f"the spacing must be greater than zero, not {spacing:g} m")
+    spacing = float(spacing)
     if on_progress:
         on_progress(0.0)
     layout = _Layout(
@@ -143,8 +145,9 @@ def trace_evenly(
     # The largest part first: lines go on from it into others.
     is_first = seeds.triangle == seeds.triangle[:1]
     for part in (is_first, ~is_first):
-        guides = _guides(layout, seeds.chosen(part))
-        layout.add(layout.fresh(measured_seeds(lines, guides, families, spacing)))
+        guides = _alone(layout, seeds.chosen(part))
+        steps = _steps(layout, guides, families)
+        layout.add(layout.fresh(measured_seeds(lines.field, guides, families, steps)))
         layout.go_on(families)
     for turn in range(_ROUNDS):
         if on_progress:
@@ -161,13 +164,30 @@ def trace_evenly(
     return _sorted(layout.placed)
 
 
-def _guides(layout: _Layout, seeds: Seeds) -> CurvatureLines:
-    """Return lines across the families, of which spacings are measured off."""
+def _alone(layout: _Layout, seeds: Seeds) -> CurvatureLines:
+    """Return lines that end for themselves only."""
     lines = layout.lines
     alone = Rules(layout.rules.spacing, layout.rules.nearest, competes=False)
     seeds = usable(lines, seeds)
     state, samples = trace(lines.field, layout.around, seeds, lines.no_samples, alone)
     return assemble(lines.field, state, samples, alone, layout.rules.spacing)
+
+
+def _steps(
+    layout: _Layout, guides: CurvatureLines, families: tuple[Family, ...]
+) -> dict[int, float]:
+    """Return the distances along guides of each family at which lines start, in meters.
+
+    That is the spacing where lines come close to each other or drift apart anyway. Where they do
+    neither by much, all can run from end to end, if they start closer where they are closest.
+    """
+    spacing = layout.rules.spacing
+    steps = {int(family): spacing for family in Family}
+    crossing = _alone(layout, measured_seeds(layout.lines.field, guides, families, steps))
+    for family in families:
+        own = crossing.chosen(np.flatnonzero(crossing.family == family))
+        steps[int(ACROSS[family])] = spacing * balance(layout.lines, own, spacing)
+    return steps
 
 
 def _sorted(placed: CurvatureLines) -> CurvatureLines:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where evenly spaced lines start: at umbilics, along lines across, beside lines, in holes."""
+"""Where evenly spaced lines start: at umbilics, beside lines, in holes."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..groups import connected_groups, sum_by_group
 from ..types import Floats, Indices
 from .assembly import shifted
 from .field import DirectionField, Family
@@ -18,19 +17,10 @@ from .seeds import Seeds, joined_seeds, make_seeds
 from .tracer import LineField, is_usable
 from .vectors import cross, unit
 
-#: The family that crosses each one.
-_ACROSS = {
-    Family.FIRST: Family.SECOND,
-    Family.SECOND: Family.FIRST,
-    Family.ASYMPTOTIC_LEFT: Family.ASYMPTOTIC_RIGHT,
-    Family.ASYMPTOTIC_RIGHT: Family.ASYMPTOTIC_LEFT,
-}
 #: A gap up to this many spacings wide takes one line, in its middle.
 _ONE = 2.5
 #: A place beside a line, not yet put on the surface, is free this share of the spacing from lines.
 _GUESS = 0.6
-#: Smallest strength, over that of the typical sector, where guides start.
-_STRONG = 0.5
 
 
 def course(lines: CurvatureLines) -> tuple[Floats, Floats]:
@@ -111,69 +101,6 @@ def ray_seeds(lines: LineField, families: tuple[Family, ...], spacing: float) ->
             )
         )
     return joined_seeds(parts)
-
-
-def guide_seeds(lines: LineField, families: tuple[Family, ...]) -> Seeds:
-    """Return a seed in the middle of every smooth part, for lines across the families."""
-    field, mesh = lines.field, lines.field.mesh
-    strength = field.strength
-    if min(families) >= Family.ASYMPTOTIC_LEFT:
-        strength = np.sqrt(np.maximum(strength**2 - field.mean**2, 0.0))
-    strength = strength[mesh.triangles].min(axis=1)
-    is_open = (lines.umbilics.triangle_area < 0) & (strength > 0.0)
-    joined = (mesh.neighbor >= 0) & is_open[:, None] & is_open[mesh.neighbor]
-    triangle, side = np.nonzero(joined)
-    part = connected_groups(
-        np.stack([triangle, mesh.neighbor[triangle, side]], axis=1), len(is_open)
-    )
-    count = int(part.max(initial=-1)) + 1
-    area = sum_by_group(part, mesh.double_area, count)
-    middle = mesh.position[mesh.triangles].mean(axis=1)
-    center = (
-        np.stack(
-            [sum_by_group(part, mesh.double_area * middle[:, axis], count) for axis in range(3)],
-            axis=1,
-        )
-        / np.maximum(area, 1e-300)[:, None]
-    )
-    typical = sum_by_group(part, mesh.double_area * strength, count) / np.maximum(area, 1e-300)
-    away = np.linalg.norm(middle - center[part], axis=1)
-    is_weak = strength < _STRONG * typical[part]
-    order = np.lexsort((away, is_weak, part))
-    first = order[np.flatnonzero(np.diff(part[order], prepend=-1))]
-    # Only the largest parts: what is small is filled without a guide.
-    first = first[is_open[first]]
-    first = first[np.argsort(-area[part[first]])][:50]
-    across = sorted({int(_ACROSS[family]) for family in families})
-    return make_seeds(
-        np.tile(first, len(across)),
-        np.full((len(first) * len(across), 3), 1.0 / 3.0),
-        np.repeat(np.array(across, dtype=np.int64), len(first)),
-    )
-
-
-def measured_seeds(
-    lines: LineField, guides: CurvatureLines, families: tuple[Family, ...], spacing: float
-) -> Seeds:
-    """Return seeds at even distances along guides, as close to the spacing as that goes."""
-    wanted = np.isin(guides.family, [int(_ACROSS[family]) for family in families])
-    chosen = guides.chosen(np.flatnonzero(wanted))
-    line = chosen.point_line
-    arc, _ = course(chosen)
-    length = chosen.length
-    number = np.maximum(1, np.round(length / spacing))
-    # On a guide from rim to rim the outer lines keep half a spacing to the rims.
-    step = arc / (length / number)[line] + 0.5
-    is_due = (np.diff(np.floor(step), prepend=0.0) > 0.0) & (np.diff(line, prepend=-1) == 0)
-    is_due |= (np.diff(line, prepend=-1) != 0) & chosen.is_closed[line]
-    here = np.flatnonzero(is_due)
-    across = np.zeros(1 + max(Family), dtype=np.int64)
-    for one, other in _ACROSS.items():
-        across[one] = other
-    # From the middle of each guide outward, so that what is important comes first.
-    return make_seeds(
-        chosen.triangle[here], chosen.barycentric[here], across[chosen.family[line[here]]]
-    )
 
 
 def gap_seeds(lines: LineField, placed: CurvatureLines, samples: Samples, spacing: float) -> Seeds:

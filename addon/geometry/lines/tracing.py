@@ -18,6 +18,7 @@ from .endings import (
     Surroundings,
     end_at_neighbors,
     end_at_parabolic,
+    end_at_seeds,
     end_at_sides,
     end_at_umbilics,
 )
@@ -27,6 +28,7 @@ from .samples import Samples, Trail, joined, no_trail, take_samples
 from .seeds import Seeds
 from .steps import follow, start_walkers
 from .umbilics import Umbilics
+from .vectors import dot
 
 #: Least number of steps between two looks at other lines.
 _LOOK = 8
@@ -34,6 +36,9 @@ _LOOK = 8
 _FEW = 128
 #: Way between two looks, over the side of a triangle, below which an arm is stuck.
 _SLOWEST = 0.02
+#: Cosine of the turn after which a place is compared with other lines before its time: around a
+#: thin pipe it is not far.
+_TURN = 0.87
 
 
 def trace(
@@ -75,9 +80,11 @@ def trace(
         cut=np.full(len(arm), np.inf),
         is_removed=np.zeros(len(seeds), dtype=np.bool_),
         closing=np.zeros(len(seeds), dtype=np.bool_),
+        turned=np.full(len(arm), np.inf),
     )
+    start, lowest = take_samples(field, first), np.zeros(len(arm))
     parts, sparse = [first, _at_umbilics(field, around.umbilics, seeds, tangent)], [first]
-    looked = np.zeros(len(arm))
+    looked, faced = np.zeros(len(arm)), heading.copy()
     looks = max(_LOOK, int(rules.spacing / field.mesh.edge_length), _FEW // max(len(arm), 1))
     before, is_new = arc.copy(), np.ones(len(arm), dtype=np.bool_)
     count, seen = 0, take_samples(field, no_trail())
@@ -95,8 +102,10 @@ def trace(
         )
         parts.append(new)
         is_due = new.arc >= looked[active] + STEP * rules.spacing * (1.0 - 1e-6)
-        looked[active[is_due]] = new.arc[is_due]
+        is_due |= dot(new.heading, faced[active]) < _TURN
+        looked[active[is_due]], faced[active[is_due]] = new.arc[is_due], new.heading[is_due]
         sparse.append(new.chosen(is_due))
+        end_at_seeds(field, start, lowest, new, state, rules)
         end_at_umbilics(field, around, new, state)
         end_at_sides(field, around, moving, side, state, active)
         end_at_parabolic(field, moving, state, active)
