@@ -15,7 +15,7 @@ from .lines import CurvatureLines, LineEnd
 from .samples import Samples, close_pairs
 from .steps import cross, go_straight, start_walkers, unfold
 from .vectors import cross as product
-from .vectors import unit
+from .vectors import dot, unit
 
 #: A line closes if its arms miss each other by no more than this share of its length, more where
 #: directions are uncertain, or of a side of a triangle, and of the spacing. Of its length: what
@@ -25,8 +25,12 @@ _MISS_LENGTH, _MISS_EDGE, _MISS_SPACING = float(np.tan(np.radians(0.5))), 0.5, 0
 _OUTLINE = (LineEnd.RIM, LineEnd.CREASE, LineEnd.AREA)
 #: Shortest such line over the shortest of others.
 _ACROSS = 0.1
+#: Shortest closed line over the shortest side of the triangles that it runs through.
+_RING = 2.0
 #: Points closer than this share of a side of a triangle to the one before are left out.
 _DOUBLE = 1e-4
+#: The same of closed lines, for points that lie less far onward than this.
+_CURL = 1e-2
 
 
 @dataclass
@@ -53,7 +57,7 @@ def assemble(
     rules : Rules
     shortest : float
         Lines below this length in meters are left out, and below a tenth of it from rim to rim,
-        but none that close.
+        but none that go around a pipe.
 
     Returns
     -------
@@ -69,15 +73,24 @@ def assemble(
     triangle, barycentric = _closed(field, samples, meetings)
     order = np.lexsort((samples.signed_arc, samples.line))
     line = samples.line[order]
-    position = samples.position[order]
-    step = np.linalg.norm(np.diff(position, axis=0, prepend=position[:1]), axis=1)
-    is_double = (np.diff(line, prepend=-1) == 0) & (step < _DOUBLE * field.mesh.edge_length)
-    step[np.diff(line, prepend=-1) != 0] = 0.0
+    position = field.mesh.points(triangle[order], barycentric[order])
+    move = np.diff(position, axis=0, prepend=position[:1])
+    move[np.diff(line, prepend=-1) != 0] = 0.0
+    step = np.sqrt(dot(move, move))
+    # Points of closed lines, which were moved each for itself, may have changed places.
+    is_ring = np.zeros(len(state.is_removed), dtype=np.bool_)
+    is_ring[meetings.line] = True
+    onward = np.where(samples.arm[order] % 2 == 0, 1.0, -1.0) * dot(move, samples.heading[order])
+    is_double = (step < _DOUBLE * field.mesh.edge_length) | (
+        is_ring[line] & (onward < _CURL * field.mesh.edge_length)
+    )
+    is_double &= np.diff(line, prepend=-1) == 0
     length = np.bincount(line, step, len(state.is_removed))
     corner = np.arange(len(length))[:, None] * 2 + [1, 0]
     spans = np.isin(state.end[corner], _OUTLINE).all(axis=1)
     is_long = length >= np.where(spans, _ACROSS, 1.0) * shortest
-    is_long |= (state.end[corner] == LineEnd.CLOSED).all(axis=1)
+    # Around a pipe there are three sides of triangles at least; less turns about one corner.
+    is_long |= is_ring & (length > _RING * _sides(field, triangle[order], line, len(length)))
     is_kept = ~is_double & is_long[line]
     order, line = order[is_kept], line[is_kept]
     seed, count = np.unique(line, return_counts=True)
@@ -89,6 +102,15 @@ def assemble(
         family=_line_family(samples, len(state.is_removed))[seed],
         ends=state.end[np.stack([2 * seed + 1, 2 * seed], axis=1)],
     )
+
+
+def _sides(field: DirectionField, triangle: Indices, line: Indices, count: int) -> Floats:
+    """Return the mean of the shortest sides of each line's triangles, (n,) in meters."""
+    corner = field.mesh.position[field.mesh.triangles[triangle]]
+    side = np.roll(corner, -1, axis=1) - corner
+    shortest = np.sqrt((side**2).sum(axis=2).min(axis=1))
+    total = np.bincount(line, shortest, count)
+    return total / np.maximum(np.bincount(line, minlength=count), 1)
 
 
 def _line_family(samples: Samples, count: int) -> Indices:
@@ -173,7 +195,8 @@ def _closed(field: DirectionField, samples: Samples, meetings: _Meetings) -> tup
     the miss over the length.
     """
     rate = np.zeros(int(samples.line.max(initial=-1)) + 1)
-    rate[meetings.line] = meetings.miss / (meetings.forward + meetings.backward)
+    whole = np.maximum(meetings.forward + meetings.backward, 1e-300)
+    rate[meetings.line] = meetings.miss / whole
     way = rate[samples.line] * samples.signed_arc
     is_backward = samples.arm % 2
     moving = np.flatnonzero(np.abs(way) > 1e-6 * field.mesh.edge_length)

@@ -14,6 +14,7 @@ from .lines import LineEnd
 from .samples import Samples, Trail, close_pairs
 from .steps import Walkers, cross
 from .umbilics import Umbilics
+from .vectors import cross as product
 from .vectors import dot, unit
 
 #: Most way in one step, and about the way between the places that are compared with other lines,
@@ -27,6 +28,9 @@ _BACK = 0.5
 _FACING = 0.5
 #: Lines end within this share of the spacing from an umbilic, where they begin to leave it.
 _UMBILIC = 0.25
+#: Most turn of a line within about this share of the spacing, in radians. Around an umbilic that it
+#: passes at the distance above it turns by 0.6.
+_LATELY, _SHARP = 0.15, 0.75
 #: Strength of an asymptotic direction over that of the principal ones where lines end.
 _PARABOLIC = 0.05
 #: Most neighbors that are looked at; more than a line has samples of its own within its reach.
@@ -76,6 +80,8 @@ class Arms:
     turned : (2n,) float64
         Way in meters at which an arm came back beside its own line: there it ends, if the line
         does not close.
+    bend : (2n,) float64
+        By how much the arm has turned to its left lately, in radians.
     """
 
     end: Indices
@@ -83,6 +89,7 @@ class Arms:
     is_removed: Flags
     closing: Flags
     turned: Floats
+    bend: Floats
 
 
 @dataclass(frozen=True)
@@ -152,6 +159,39 @@ def end_at_sides(
     state.end[active[out]] = np.where(rim, LineEnd.RIM, LineEnd.CREASE)
     in_area = around.umbilics.triangle_area[moving.triangle] >= 0
     state.end[active[in_area & ~is_out]] = LineEnd.AREA
+
+
+def end_at_turns(
+    normal: Floats, before: Floats, way: Floats, new: Trail, state: Arms, rules: Rules
+) -> None:
+    """End lines before they turn sharply: there the mesh does not show how they go on.
+
+    Parameters
+    ----------
+    normal : (n, 3) float64
+        Of the triangles that the arms moved through.
+    before : (n, 3) float64
+        Their headings before they moved.
+    way : (n,) float64
+        How far they moved in meters.
+    new : Trail
+        Where they are now.
+    state : Arms
+        Changed.
+    rules : Rules
+    """
+    left = dot(product(before, new.heading), normal)
+    turn = np.arctan2(left, dot(before, new.heading))
+    lately = np.exp(-way / (_LATELY * rules.spacing))
+    bend = lately * state.bend[new.arm] + turn
+    state.bend[new.arm] = bend
+    # Close to where both arms started, what the other one has turned belongs to the same turn.
+    window = 2.0 * _LATELY * rules.spacing
+    other = np.where(new.arc < window, state.bend[new.arm ^ 1], 0.0)
+    is_sharp = (np.abs(bend) > _SHARP) | (np.abs(bend - other) > _SHARP)
+    arm = new.arm[is_sharp]
+    state.end[arm] = LineEnd.FOLD
+    state.cut[arm] = np.minimum(state.cut[arm], (new.arc - way)[is_sharp])
 
 
 def end_at_parabolic(field: DirectionField, moving: Walkers, state: Arms, active: Indices) -> None:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where evenly spaced lines start: at umbilics, beside lines, in holes."""
+"""Where evenly spaced lines start: at umbilics, and beside lines."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .field import DirectionField, Family
 from .lines import CurvatureLines
 from .samples import Samples, Trail, close_pairs, distances, take_samples
 from .seeds import Seeds, joined_seeds, make_seeds
-from .tracer import LineField, is_usable
+from .tracer import LineField
 from .vectors import cross, unit
 
 #: A gap up to this many spacings wide takes one line, in its middle.
@@ -135,42 +135,8 @@ def gap_seeds(lines: LineField, placed: CurvatureLines, samples: Samples, spacin
     middle = rows[first + size // 2]
     middle = middle[np.argsort(-size, kind="stable")]
     del names
-    middle = middle[_apart(found.chosen(middle), spacing)]
+    middle = middle[apart(found.chosen(middle), spacing)]
     chosen = found.chosen(middle)
-    return make_seeds(chosen.triangle, chosen.barycentric, chosen.family)
-
-
-def hole_seeds(
-    lines: LineField, samples: Samples, families: tuple[Family, ...], spacing: float
-) -> Seeds:
-    """Return seeds in the middle of triangles that are farther than a spacing from any line."""
-    field = lines.field
-    mesh = field.mesh
-    inside = np.flatnonzero((lines.umbilics.triangle_area < 0) & (mesh.double_area > 0.0))
-    # A triangle in about every quarter of a spacing is enough, on every side of a thin part.
-    size = max(mesh.edge_length, 0.25 * spacing)
-    cell = np.concatenate(
-        [
-            np.floor(mesh.position[mesh.triangles[inside]].mean(axis=1) / size),
-            np.round(mesh.frame[inside, 2]),
-        ],
-        axis=1,
-    ).astype(np.int64)
-    inside = inside[np.unique(cell, axis=0, return_index=True)[1]]
-    triangle = np.tile(inside, len(families))
-    family = np.repeat(np.array([int(each) for each in families], dtype=np.int64), len(inside))
-    barycentric = np.full((len(triangle), 3), 1.0 / 3.0)
-    none = np.zeros((len(triangle), 3))
-    place = Trail(
-        2 * np.arange(len(triangle)), np.zeros(len(triangle)), triangle, barycentric, none, family
-    )
-    all_of_them = take_samples(field, place)
-    distance = distances(all_of_them, samples, spacing, 4.0 * spacing)
-    far = np.flatnonzero(distance > spacing)
-    far = far[is_usable(lines, triangle[far], barycentric[far], family[far])]
-    far = far[np.argsort(-np.minimum(distance[far], 1e30), kind="stable")]
-    far = far[_apart(all_of_them.chosen(far), spacing)]
-    chosen = all_of_them.chosen(far)
     return make_seeds(chosen.triangle, chosen.barycentric, chosen.family)
 
 
@@ -197,8 +163,16 @@ def _gaps(found: Samples, samples: Samples, gone: Floats, spacing: float) -> Flo
     return gap
 
 
-def _apart(samples: Samples, spacing: float) -> Indices:
-    """Return the samples that have no more important one of their family close by."""
+def apart(samples: Samples, spacing: float) -> Indices:
+    """Return the samples that have no more important one of their family close by.
+
+    Parameters
+    ----------
+    samples : Samples
+        The most important first.
+    spacing : float
+        In meters.
+    """
     sample, other = close_pairs(samples, samples, spacing, 0.85 * spacing, 12)
     is_kept = np.ones(len(samples), dtype=np.bool_)
     is_kept[sample[other < sample]] = False

@@ -20,6 +20,7 @@ from .endings import (
     end_at_parabolic,
     end_at_seeds,
     end_at_sides,
+    end_at_turns,
     end_at_umbilics,
 )
 from .field import DirectionField
@@ -81,15 +82,17 @@ def trace(
         is_removed=np.zeros(len(seeds), dtype=np.bool_),
         closing=np.zeros(len(seeds), dtype=np.bool_),
         turned=np.full(len(arm), np.inf),
+        bend=np.zeros(len(arm)),
     )
     start, lowest = take_samples(field, first), np.zeros(len(arm))
     parts, sparse = [first, _at_umbilics(field, around.umbilics, seeds, tangent)], [first]
     looked, faced = np.zeros(len(arm)), heading.copy()
     looks = max(_LOOK, int(rules.spacing / field.mesh.edge_length), _FEW // max(len(arm), 1))
-    before, is_new = arc.copy(), np.ones(len(arm), dtype=np.bool_)
+    reached, is_new = arc.copy(), np.ones(len(arm), dtype=np.bool_)
     count, seen = 0, take_samples(field, no_trail())
     while len(active := np.flatnonzero(state.end < 0)):
         moving = walkers.chosen(active)
+        before, normal = moving.heading, field.mesh.frame[moving.triangle, 2]
         way, side = follow(field, moving, np.full(len(active), STEP * rules.spacing))
         arc[active] += way
         new = Trail(
@@ -105,6 +108,7 @@ def trace(
         is_due |= dot(new.heading, faced[active]) < _TURN
         looked[active[is_due]], faced[active[is_due]] = new.arc[is_due], new.heading[is_due]
         sparse.append(new.chosen(is_due))
+        end_at_turns(normal, before, way, new, state, rules)
         end_at_seeds(field, start, lowest, new, state, rules)
         end_at_umbilics(field, around, new, state)
         end_at_sides(field, around, moving, side, state, active)
@@ -114,9 +118,9 @@ def trace(
         if count % looks == 0 or not (state.end[active] < 0).any():
             recent = take_samples(field, joined(sparse))
             seen, sparse = joined([seen, recent]), [no_trail()]
-            is_stuck = (state.end < 0) & (arc - before < _SLOWEST * field.mesh.edge_length)
+            is_stuck = (state.end < 0) & (arc - reached < _SLOWEST * field.mesh.edge_length)
             state.end[is_stuck & ~is_new] = LineEnd.FOLD
-            before, is_new = arc.copy(), np.zeros(len(arm), dtype=np.bool_)
+            reached, is_new = arc.copy(), np.zeros(len(arm), dtype=np.bool_)
             end_at_neighbors(recent, seen, placed, state, rules)
     return state, take_samples(field, joined(parts))
 
