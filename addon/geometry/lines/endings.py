@@ -14,7 +14,6 @@ from .lines import LineEnd
 from .samples import Samples, Trail, close_pairs
 from .steps import Walkers, cross
 from .umbilics import Umbilics
-from .vectors import cross as product
 from .vectors import dot, unit
 
 #: Most way in one step, and about the way between the places that are compared with other lines,
@@ -28,9 +27,6 @@ _BACK = 0.5
 _FACING = 0.5
 #: Lines end within this share of the spacing from an umbilic, where they begin to leave it.
 _UMBILIC = 0.25
-#: Most turn of a line within about this share of the spacing, in radians. Around an umbilic that it
-#: passes at the distance above it turns by 0.6.
-_LATELY, _SHARP = 0.15, 0.75
 #: Strength of an asymptotic direction over that of the principal ones where lines end.
 _PARABOLIC = 0.05
 #: Most neighbors that are looked at; more than a line has samples of its own within its reach.
@@ -39,9 +35,6 @@ _PARTNERS = 10
 _PLACED = 3
 #: Cosine between the courses of two lines of a family up to which one lies across the other.
 _ACROSS = 0.3
-#: An arm comes around to its start if it goes the same way there but for this cosine, misses it by
-#: less than this share of its way, and was behind it by more than this share.
-_STRAIGHT, _AROUND, _BEHIND = 0.5, 0.1, 0.01
 
 
 @dataclass(frozen=True)
@@ -161,39 +154,6 @@ def end_at_sides(
     state.end[active[in_area & ~is_out]] = LineEnd.AREA
 
 
-def end_at_turns(
-    normal: Floats, before: Floats, way: Floats, new: Trail, state: Arms, rules: Rules
-) -> None:
-    """End lines before they turn sharply: there the mesh does not show how they go on.
-
-    Parameters
-    ----------
-    normal : (n, 3) float64
-        Of the triangles that the arms moved through.
-    before : (n, 3) float64
-        Their headings before they moved.
-    way : (n,) float64
-        How far they moved in meters.
-    new : Trail
-        Where they are now.
-    state : Arms
-        Changed.
-    rules : Rules
-    """
-    left = dot(product(before, new.heading), normal)
-    turn = np.arctan2(left, dot(before, new.heading))
-    lately = np.exp(-way / (_LATELY * rules.spacing))
-    bend = lately * state.bend[new.arm] + turn
-    state.bend[new.arm] = bend
-    # Close to where both arms started, what the other one has turned belongs to the same turn.
-    window = 2.0 * _LATELY * rules.spacing
-    other = np.where(new.arc < window, state.bend[new.arm ^ 1], 0.0)
-    is_sharp = (np.abs(bend) > _SHARP) | (np.abs(bend - other) > _SHARP)
-    arm = new.arm[is_sharp]
-    state.end[arm] = LineEnd.FOLD
-    state.cut[arm] = np.minimum(state.cut[arm], (new.arc - way)[is_sharp])
-
-
 def end_at_parabolic(field: DirectionField, moving: Walkers, state: Arms, active: Indices) -> None:
     """End asymptotic lines where there is no such direction any more."""
     lines = np.flatnonzero(moving.family >= ASYMPTOTIC[0])
@@ -205,41 +165,6 @@ def end_at_parabolic(field: DirectionField, moving: Walkers, state: Arms, active
             moving.triangle[lines], moving.barycentric[lines], np.ones(len(lines), dtype=np.int64)
         )[2]
         state.end[active[lines[strength <= _PARABOLIC * principal]]] = LineEnd.PARABOLIC
-
-
-def end_at_seeds(
-    field: DirectionField, first: Samples, lowest: Floats, new: Trail, state: Arms, rules: Rules
-) -> None:
-    """Close lines of which an arm has come around to where it started.
-
-    A ring around a thin pipe is passed many times between two looks at other lines.
-
-    Parameters
-    ----------
-    field : DirectionField
-    first : Samples
-        Where the arms started.
-    lowest : (2n,) float64
-        How far behind its start each arm has been, seen in the direction it started in, as a
-        negative number in meters. Changed.
-    new : Trail
-        Where the arms are now.
-    state : Arms
-        Changed.
-    rules : Rules
-    """
-    seed = first.chosen(new.arm)
-    corner = field.mesh.position[field.mesh.triangles[new.triangle]]
-    apart = np.einsum("nc,ncx->nx", new.barycentric, corner) - seed.position
-    ahead = dot(apart, seed.heading)
-    lowest[new.arm] = np.minimum(lowest[new.arm], ahead)
-    is_past = (ahead >= 0.0) & (ahead < 0.5 * rules.spacing) & (ahead < 0.5 * new.arc)
-    is_past &= lowest[new.arm] < -_BEHIND * new.arc
-    passed = np.flatnonzero(is_past & (dot(new.heading, seed.heading) > _STRAIGHT))
-    aside = apart[passed] - ahead[passed, None] * seed.heading[passed]
-    near = np.minimum(rules.nearest, _AROUND * new.arc[passed])
-    passed = passed[dot(aside, aside) < near**2]
-    _close(state, np.unique(new.arm[passed] // 2))
 
 
 def end_at_umbilics(field: DirectionField, around: Surroundings, new: Trail, state: Arms) -> None:
@@ -300,15 +225,22 @@ def _meet_itself(state: Arms, one: Samples, two: Samples, flags: Flags, rules: R
     ahead = np.einsum("nx,nx->n", apart, two.heading)
     opposite = np.einsum("nx,nx->n", one.heading, two.heading) < 0.0
     is_meeting = (one.arm != two.arm) & opposite
-    _close(state, one.line[is_meeting & (ahead <= 0.0)])
+    close_lines(state, one.line[is_meeting & (ahead <= 0.0)])
     arm, arc = one.arm[~is_meeting], one.arc[~is_meeting]
     np.minimum.at(state.turned, arm, np.maximum(arc - STEP * rules.spacing, 0.0))
     is_open = ~state.closing[arm // 2]
     _cut(state, arm[is_open], arc[is_open], rules)
 
 
-def _close(state: Arms, line: Indices) -> None:
-    """End both arms of lines that met themselves."""
+def close_lines(state: Arms, line: Indices) -> None:
+    """End both arms of lines that met themselves.
+
+    Parameters
+    ----------
+    state : Arms
+        Changed.
+    line : (n,) int64
+    """
     state.closing[line] = True
     state.end[np.concatenate([2 * line, 2 * line + 1])] = LineEnd.CLOSED
 

@@ -18,9 +18,7 @@ from .endings import (
     Surroundings,
     end_at_neighbors,
     end_at_parabolic,
-    end_at_seeds,
     end_at_sides,
-    end_at_turns,
     end_at_umbilics,
 )
 from .field import DirectionField
@@ -28,6 +26,7 @@ from .lines import LineEnd
 from .samples import Samples, Trail, joined, no_trail, take_samples
 from .seeds import Seeds
 from .steps import follow, start_walkers
+from .turning import end_at_seeds, end_at_turns
 from .umbilics import Umbilics
 from .vectors import dot
 
