@@ -72,7 +72,8 @@ def _places(mesh: Triangulation, inside: Indices, size: float) -> tuple[Indices,
         barycentrics.append(np.tile(middle, (len(chosen), 1)))
     triangle, barycentric = np.concatenate(triangles), np.concatenate(barycentrics)
     position = np.einsum("nc,ncx->nx", barycentric, mesh.position[mesh.triangles[triangle]])
-    cell = np.concatenate([np.floor(position / size), np.round(mesh.frame[triangle, 2])], axis=1)
+    normal: Floats = mesh.frame[triangle, 2]
+    cell = np.concatenate([np.floor(position / size), np.round(normal)], axis=1)
     first = np.unique(cell.astype(np.int64), axis=0, return_index=True)[1]
     return triangle[first], barycentric[first]
 
