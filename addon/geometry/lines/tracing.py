@@ -107,7 +107,9 @@ def trace(
         is_due |= dot(new.heading, faced[active]) < _TURN
         looked[active[is_due]], faced[active[is_due]] = new.arc[is_due], new.heading[is_due]
         sparse.append(new.chosen(is_due))
-        end_at_turns(normal, before, way, new, state, rules)
+        # Without a spacing of their own lines follow every kink: within an edge none is sharp.
+        if rules.competes:
+            end_at_turns(normal, before, way, new, state, rules)
         end_at_seeds(field, start, lowest, new, state, rules)
         end_at_umbilics(field, around, new, state)
         end_at_sides(field, around, moving, side, state, active)
