@@ -6,10 +6,17 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from architectural_curvature.addon.geometry.curvature import estimate_curvature
+from architectural_curvature.addon.geometry.engine.normals import tangent_frame
 from architectural_curvature.addon.geometry.errors import InvalidSettingError
 from architectural_curvature.addon.geometry.lines.field import PRINCIPAL, Family
+from architectural_curvature.addon.geometry.lines.holes import hole_seeds
 from architectural_curvature.addon.geometry.lines.layout import trace_evenly
 from architectural_curvature.addon.geometry.lines.lines import LineEnd
+from architectural_curvature.addon.geometry.lines.samples import Trail, take_samples
+from architectural_curvature.addon.geometry.lines.tracer import LineField, build_line_field
+from architectural_curvature.addon.geometry.mesh import mesh_from_polygons
+from architectural_curvature.addon.geometry.surface import build_surface
 from line_fields import field_on
 from scipy.spatial import cKDTree
 from surfaces.catalogue import PATCHES, Patch
@@ -49,8 +56,9 @@ def test_lines_across_a_narrow_strip_are_kept() -> None:
     assert (traced.ends == RIM).all()
 
 
-@pytest.mark.parametrize("around", [0.7, 1.2, 1.7, 2.6])
-def test_rings_of_a_thin_pipe_go_around_once(around: float) -> None:
+@pytest.mark.parametrize("kind", ["regular", "irregular"])
+@pytest.mark.parametrize("around", [0.1, 0.3, 0.7, 1.2, 1.7, 2.6])
+def test_rings_of_a_thin_pipe_go_around_once(kind: str, around: float) -> None:
     """A slightly conical pipe, whose girth is a share of the spacing or a few of them."""
     radius = around / (2.0 * np.pi)
     pipe = Patch(
@@ -58,17 +66,120 @@ def test_rings_of_a_thin_pipe_go_around_once(around: float) -> None:
             radius * (1.0 + 0.02 * v) * cos(u), radius * (1.0 + 0.02 * v) * sin(u), v
         ),
         (0.0, 2.0 * np.pi),
-        (0.0, 6.0),
+        (0.0, 4.0),
         (True, False),
     )  # fmt: skip
+    traced = trace_evenly(field_on(sample_patch(pipe, kind, (24, 40))), 1.0)
+    rings = traced.chosen(np.flatnonzero(traced.family == Family.FIRST))
+    # One for every spacing of its length.
+    assert rings.count == 4
+    assert rings.is_closed.all()
+    assert (rings.length <= around * 1.09).all()
+    assert (rings.length > 0.97 * around).all()
+
+
+@pytest.mark.parametrize("kind", ["regular", "irregular"])
+@pytest.mark.parametrize(
+    ("tube", "cells", "spacing"),
+    [(0.05, (160, 12), 0.5), (0.1, (110, 20), 0.15), (0.4, (90, 36), 0.12), (0.45, (90, 40), 0.3)],
+)
+def test_every_line_laid_out_on_a_torus_closes(
+    kind: str, tube: float, cells: tuple[int, int], spacing: float
+) -> None:
+    """Lines around the tube are up to 2.6 times as far apart outside as inside.
+
+    Half a spacing inside, at which a line would end, is less than 1.7 outside, where another one
+    would find room.
+    """
+    torus = Patch(
+        lambda u, v: (
+            (tube * cos(v) + 1.0) * cos(u),
+            (tube * cos(v) + 1.0) * sin(u),
+            tube * sin(v),
+        ),
+        (0.0, 2.0 * np.pi),
+        (0.0, 2.0 * np.pi),
+        (True, True),
+    )
+    sample = sample_patch(torus, kind, cells)
+    surface = build_surface(mesh_from_polygons(sample.shape.position, sample.polygons), np.pi)
+    traced = trace_evenly(build_line_field(surface, estimate_curvature(surface)), spacing)
+    assert (traced.ends == LineEnd.CLOSED).all()
+    around = traced.chosen(np.flatnonzero(traced.family == Family.FIRST))
+    assert around.length == pytest.approx(2.0 * np.pi * tube, rel=0.05)
+    # Their gaps on the outer equator add up to all of it, and none holds another line.
+    assert around.count >= 2.0 * np.pi * (1.0 + tube) / (1.7 * spacing)
+    assert around.count <= 2.0 * np.pi * (1.0 - tube) / (0.5 * spacing)
+
+
+def test_lines_on_both_sides_of_a_pipe_keep_half_a_spacing() -> None:
+    """On a pipe two spacings around, two lines are as far apart as they can be: across it."""
+    girth = 2.0
+    radius = girth / (2.0 * np.pi)
+    pipe = Patch(
+        lambda u, v: (radius * cos(u), radius * sin(u), v),
+        (0.0, 2.0 * np.pi),
+        (0.0, 6.0),
+        (True, False),
+    )
     traced = trace_evenly(field_on(sample_patch(pipe, "regular", (24, 60))), 1.0)
-    rings = traced.chosen(np.flatnonzero(traced.is_closed))
-    longest = around * 1.12
-    assert (rings.length <= longest).all()
-    assert (rings.length > 0.95 * around).all()
-    first = traced.family == Family.FIRST
-    # What does not close ends half a spacing before it meets itself.
-    assert (traced.length[first] <= longest + 0.5).all()
+    along = traced.chosen(np.flatnonzero(traced.family == Family.SECOND))
+    middle = np.array([along.line_points(line).mean(axis=0)[:2] for line in range(along.count)])
+    apart = np.linalg.norm(middle[:, None] - middle, axis=2)
+    assert apart[~np.eye(along.count, dtype=np.bool_)].min() > 0.5
+
+
+@pytest.mark.parametrize("turn", [0.5, 1.4])
+def test_lines_end_before_a_sharp_turn(turn: float) -> None:
+    """Directions turn by an angle within two edges, where x is 0: by 29 degrees lines follow."""
+    shell = Patch(lambda u, v: (u, v, -0.05 * u * u - 0.01 * v * v), (-1.0, 1.0), (-1.0, 1.0))
+    lines = field_on(sample_patch(shell, "regular", (50, 50)))
+    field = lines.field
+    edge, spacing = 2.0 / 50.0, 0.9
+    angle = turn * np.clip(0.5 + 0.5 * field.mesh.position[:, 0] / edge, 0.0, 1.0)
+    direction = np.stack([np.cos(angle), np.sin(angle), np.zeros(len(angle))], axis=1)
+    axes = tangent_frame(field.normal)
+    along, across = (np.einsum("ij,ij->i", direction, axis) for axis in axes)
+    turned = LineField(field.with_deviator(0.04 * (along + 1j * across) ** 2), lines.umbilics)
+    traced = trace_evenly(turned, spacing, (Family.FIRST,))
+    x = traced.points[:, 0]
+    first = traced.start[:-1]
+    goes_over = np.minimum.reduceat(x, first) < -2.0 * edge
+    goes_over &= np.maximum.reduceat(x, first) > 2.0 * edge
+    ends_there = (traced.ends == LineEnd.FOLD).any(axis=1)
+    is_sharp = turn > 0.25 * np.pi
+    assert goes_over.any() == (not is_sharp)
+    assert ends_there.any() == is_sharp
+    ends = traced.points[np.stack([traced.start[:-1], traced.start[1:] - 1], axis=1)]
+    assert np.abs(ends[traced.ends == LineEnd.FOLD][:, 0]).max(initial=0.0) < 2.0 * edge
+
+
+def test_a_hole_is_found_wherever_it_is_in_large_triangles() -> None:
+    """Triangles two spacings wide: the middle of none is in a hole around one of their corners."""
+    sample = sample_patch(PATCHES["hyperbolic paraboloid"], "regular", (4, 4))
+    lines = field_on(sample)
+    spacing = 0.25
+    mesh = lines.field.mesh
+    grid = np.linspace(0.0, 1.0, 21)
+    one, two = (axis.ravel() for axis in np.meshgrid(grid, grid))
+    inside = one + two <= 1.0 + 1e-9
+    weight = np.stack([one, two, 1.0 - one - two], axis=1)[inside]
+    count = len(mesh.triangles)
+    triangle = np.repeat(np.arange(count), len(weight))
+    weight = np.tile(weight, (count, 1))
+    place = mesh.points(triangle, weight)
+    far = np.linalg.norm(place, axis=1) > 1.4 * spacing
+    zero = np.zeros(int(far.sum()))
+    trail = Trail(
+        zero.astype(np.int64), zero, triangle[far], weight[far], np.zeros((len(zero), 3)),
+        np.full(len(zero), int(Family.FIRST)),
+    )  # fmt: skip
+    seeds = hole_seeds(lines, take_samples(lines.field, trail), (Family.FIRST,), spacing)
+    found = mesh.points(seeds.triangle, seeds.barycentric)
+    assert len(found)
+    assert np.linalg.norm(found, axis=1).max() < 0.45 * spacing
+    middle = mesh.points(np.arange(count), np.full((count, 3), 1.0 / 3.0))
+    assert np.linalg.norm(middle, axis=1).min() > 0.45 * spacing
 
 
 def test_lines_go_on_beyond_seams() -> None:

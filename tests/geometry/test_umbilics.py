@@ -175,3 +175,44 @@ def test_confidence_falls_towards_umbilics() -> None:
     confidence = lines.field.confidence
     assert confidence[np.argmin(away)] < 0.5
     assert confidence[away > 0.5].min() > 0.9
+
+
+def areas_of(positions: np.ndarray, polygons: np.ndarray) -> LineField:
+    """Return the field of polygons with the usual crease angle."""
+    surface = build_surface(mesh_from_polygons(positions, polygons))
+    return build_line_field(surface, estimate_curvature(surface))
+
+
+def test_every_facet_of_an_icosahedron_is_an_area() -> None:
+    """Its dihedral angles are creases of 42 degrees; each facet is one triangle."""
+    sample = sample_ellipsoid((1.0, 1.0, 1.0), "geodesic", 1)
+    umbilics = areas_of(sample.shape.position, sample.polygons).umbilics
+    assert umbilics.area_size == pytest.approx([np.sqrt(3.0) / 4.0 * 1.0514622**2] * 20, rel=1e-6)
+    assert umbilics.count == 0
+
+
+def test_scraps_between_creases_are_one_area() -> None:
+    """Polygons that point to opposite sides make a crease of every edge between them.
+
+    On an ellipsoid of edges a fiftieth of the diagonal long whose triangles are turned over by
+    chance, most pieces are a few triangles.
+    """
+    sample = sample_ellipsoid(AXES, "geodesic", 28)
+    polygons = sample.polygons.copy()
+    turned = np.random.default_rng(3).random(len(polygons)) < 0.5
+    polygons[turned] = polygons[turned][:, ::-1]
+    lines = areas_of(sample.shape.position, polygons)
+    area = lines.umbilics.triangle_area
+    mesh = lines.field.mesh
+    small = 0
+    for number in range(len(lines.umbilics.area_size)):
+        corner = mesh.position[mesh.triangles[area == number]].reshape(-1, 3)
+        reach = np.linalg.norm(corner - corner.mean(axis=0), axis=1).max()
+        small += reach < lines.field.surface.mesh.diagonal / 40.0
+        in_area = area == number
+        assert lines.umbilics.area_size[number] == pytest.approx(
+            0.5 * mesh.double_area[in_area].sum()
+        )
+    # Those together reach all over the model.
+    assert small == 0
+    assert len(lines.umbilics.area_size) < 100

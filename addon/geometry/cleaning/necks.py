@@ -15,8 +15,8 @@ from ..links import joined_links, smooth_links
 from ..surface import Surface
 from ..types import Flags, Floats, Indices
 
-#: A neck this narrow, as a share of the mean width of the narrower part, and of no more than so many
-#: edges, joins nothing.
+#: A neck this narrow, as a share of the mean width of the narrower part, and of no more than so
+#: many edges, joins nothing.
 _NECK, _NECK_EDGES = 0.5, 2.5
 
 #: The same share where the parts are known to be different surfaces.

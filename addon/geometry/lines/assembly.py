@@ -15,17 +15,22 @@ from .lines import CurvatureLines, LineEnd
 from .samples import Samples, close_pairs
 from .steps import cross, go_straight, start_walkers, unfold
 from .vectors import cross as product
-from .vectors import unit
+from .vectors import dot, unit
 
 #: A line closes if its arms miss each other by no more than this share of its length, more where
-#: directions are uncertain, or of a side of a triangle, and of the spacing.
-_MISS_LENGTH, _MISS_EDGE, _MISS_SPACING = 0.005, 0.5, 0.4
+#: directions are uncertain, or of a side of a triangle, and of the spacing. Of its length: what
+#: turns it by half a degree.
+_MISS_LENGTH, _MISS_EDGE, _MISS_SPACING = float(np.tan(np.radians(0.5))), 0.5, 0.4
 #: Ends at which a line has crossed the whole of its piece: there even a short one is wanted.
 _OUTLINE = (LineEnd.RIM, LineEnd.CREASE, LineEnd.AREA)
 #: Shortest such line over the shortest of others.
 _ACROSS = 0.1
+#: Shortest closed line over the shortest side of the triangles that it runs through.
+_RING = 2.0
 #: Points closer than this share of a side of a triangle to the one before are left out.
 _DOUBLE = 1e-4
+#: The same of closed lines, for points that lie less far onward than this.
+_CURL = 1e-2
 
 
 @dataclass
@@ -51,7 +56,8 @@ def assemble(
         As traced.
     rules : Rules
     shortest : float
-        Lines below this length in meters are left out, and below a tenth of it from rim to rim.
+        Lines below this length in meters are left out, and below a tenth of it from rim to rim,
+        but none that go around a pipe.
 
     Returns
     -------
@@ -67,14 +73,25 @@ def assemble(
     triangle, barycentric = _closed(field, samples, meetings)
     order = np.lexsort((samples.signed_arc, samples.line))
     line = samples.line[order]
-    position = samples.position[order]
-    step = np.linalg.norm(np.diff(position, axis=0, prepend=position[:1]), axis=1)
-    is_double = (np.diff(line, prepend=-1) == 0) & (step < _DOUBLE * field.mesh.edge_length)
-    step[np.diff(line, prepend=-1) != 0] = 0.0
+    position = field.mesh.points(triangle[order], barycentric[order])
+    move = np.diff(position, axis=0, prepend=position[:1])
+    move[np.diff(line, prepend=-1) != 0] = 0.0
+    step = np.sqrt(dot(move, move))
+    # Points of closed lines, which were moved each for itself, may have changed places.
+    is_ring = np.zeros(len(state.is_removed), dtype=np.bool_)
+    is_ring[meetings.line] = True
+    onward = np.where(samples.arm[order] % 2 == 0, 1.0, -1.0) * dot(move, samples.heading[order])
+    is_double = (step < _DOUBLE * field.mesh.edge_length) | (
+        is_ring[line] & (onward < _CURL * field.mesh.edge_length)
+    )
+    is_double &= np.diff(line, prepend=-1) == 0
     length = np.bincount(line, step, len(state.is_removed))
     corner = np.arange(len(length))[:, None] * 2 + [1, 0]
     spans = np.isin(state.end[corner], _OUTLINE).all(axis=1)
-    is_kept = ~is_double & (length >= np.where(spans, _ACROSS, 1.0) * shortest)[line]
+    is_long = length >= np.where(spans, _ACROSS, 1.0) * shortest
+    # Around a pipe there are three sides of triangles at least; less turns about one corner.
+    is_long |= is_ring & (length > _RING * _sides(field, triangle[order], line, len(length)))
+    is_kept = ~is_double & is_long[line]
     order, line = order[is_kept], line[is_kept]
     seed, count = np.unique(line, return_counts=True)
     return CurvatureLines(
@@ -85,6 +102,15 @@ def assemble(
         family=_line_family(samples, len(state.is_removed))[seed],
         ends=state.end[np.stack([2 * seed + 1, 2 * seed], axis=1)],
     )
+
+
+def _sides(field: DirectionField, triangle: Indices, line: Indices, count: int) -> Floats:
+    """Return the mean of the shortest sides of each line's triangles, (n,) in meters."""
+    corner = field.mesh.position[field.mesh.triangles[triangle]]
+    side = np.roll(corner, -1, axis=1) - corner
+    shortest = np.sqrt((side**2).sum(axis=2).min(axis=1))
+    total = np.bincount(line, shortest, count)
+    return total / np.maximum(np.bincount(line, minlength=count), 1)
 
 
 def _line_family(samples: Samples, count: int) -> Indices:
@@ -122,7 +148,11 @@ def _meetings(field: DirectionField, state: Arms, samples: Samples, rules: Rules
     astray = _MISS_LENGTH + _doubts(field, samples, len(state.closing))[found.line]
     allowed = np.maximum(astray * length, _MISS_EDGE * field.mesh.edge_length)
     is_closed = np.abs(found.miss) <= np.minimum(allowed, _MISS_SPACING * rules.spacing)
-    _end_open(state, forward, one, far, found.line[~is_closed])
+    missed = 2 * found.line[~is_closed] + 1
+    state.cut[missed] = np.minimum(state.cut[missed], found.backward[~is_closed])
+    is_open = state.closing & ~state.is_removed
+    is_open[found.line[is_closed]] = False
+    _end_open(state, forward, one, far, np.flatnonzero(is_open))
     state.cut[2 * found.line[is_closed]] = found.forward[is_closed]
     state.cut[2 * found.line[is_closed] + 1] = (
         found.backward[is_closed] - 0.1 * field.mesh.edge_length
@@ -155,6 +185,7 @@ def _end_open(state: Arms, forward: Samples, one: Indices, far: Flags, lines: In
     np.minimum.at(state.cut, arm, arc)
     both = np.concatenate([2 * lines, 2 * lines + 1])
     state.end[both] = LineEnd.NEIGHBOR
+    state.cut[both] = np.minimum(state.cut[both], state.turned[both])
 
 
 def _closed(field: DirectionField, samples: Samples, meetings: _Meetings) -> tuple[Indices, Floats]:
@@ -163,14 +194,11 @@ def _closed(field: DirectionField, samples: Samples, meetings: _Meetings) -> tup
     What the arms miss each other by is spread over the whole line, which turns it by no more than
     the miss over the length.
     """
-    miss = np.zeros(int(samples.line.max(initial=-1)) + 1)
-    whole = np.ones((len(miss), 2))
-    miss[meetings.line] = meetings.miss
-    whole[meetings.line, 0] = meetings.forward
-    whole[meetings.line, 1] = meetings.backward
+    rate = np.zeros(int(samples.line.max(initial=-1)) + 1)
+    whole = np.maximum(meetings.forward + meetings.backward, 1e-300)
+    rate[meetings.line] = meetings.miss / whole
+    way = rate[samples.line] * samples.signed_arc
     is_backward = samples.arm % 2
-    share = 0.5 * samples.arc / whole[samples.line, is_backward]
-    way = miss[samples.line] * share * np.where(is_backward == 1, -1.0, 1.0)
     moving = np.flatnonzero(np.abs(way) > 1e-6 * field.mesh.edge_length)
     left = product(samples.normal[moving], samples.heading[moving])
     # Headings of the backward arm run against the line.

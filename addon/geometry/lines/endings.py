@@ -14,6 +14,7 @@ from .lines import LineEnd
 from .samples import Samples, Trail, close_pairs
 from .steps import Walkers, cross
 from .umbilics import Umbilics
+from .vectors import dot, unit
 
 #: Most way in one step, and about the way between the places that are compared with other lines,
 #: over the spacing.
@@ -22,6 +23,8 @@ STEP = 0.25
 _OWN = 1.5
 #: Or if they are no closer than this share of the way between them; half a circle has 0.64.
 _BACK = 0.5
+#: And if their normals agree up to this cosine.
+_FACING = 0.5
 #: Lines end within this share of the spacing from an umbilic, where they begin to leave it.
 _UMBILIC = 0.25
 #: Strength of an asymptotic direction over that of the principal ones where lines end.
@@ -67,12 +70,19 @@ class Arms:
         Lines that turned out to repeat another one.
     closing : (n,) bool
         Lines whose arms met.
+    turned : (2n,) float64
+        Way in meters at which an arm came back beside its own line: there it ends, if the line
+        does not close.
+    bend : (2n,) float64
+        By how much the arm has turned to its left lately, in radians.
     """
 
     end: Indices
     cut: Floats
     is_removed: Flags
     closing: Flags
+    turned: Floats
+    bend: Floats
 
 
 @dataclass(frozen=True)
@@ -200,11 +210,13 @@ def _side_by_side(one: Samples, two: Samples) -> Flags:
 def far_along(one: Samples, two: Samples, spacing: float) -> Flags:
     """Return pairs of samples of one line between which there is much of it, (n,) bool.
 
-    More than a while, or much more than their distance: around a thin pipe it is not far.
+    More than a while, or much more than their distance: around a thin pipe it is not far. Neither
+    is what lies on its other side, where the line is on its way back.
     """
     way = np.abs(one.signed_arc - two.signed_arc)
     apart = np.linalg.norm(one.position - two.position, axis=1)
-    return (way > _OWN * spacing) | (apart < _BACK * way)
+    is_facing = dot(unit(one.normal), unit(two.normal)) > _FACING
+    return is_facing & ((way > _OWN * spacing) | (apart < _BACK * way))
 
 
 def _meet_itself(state: Arms, one: Samples, two: Samples, flags: Flags, rules: Rules) -> None:
@@ -214,13 +226,24 @@ def _meet_itself(state: Arms, one: Samples, two: Samples, flags: Flags, rules: R
     ahead = np.einsum("nx,nx->n", apart, two.heading)
     opposite = np.einsum("nx,nx->n", one.heading, two.heading) < 0.0
     is_meeting = (one.arm != two.arm) & opposite
-    state.closing[one.line[is_meeting & (ahead <= 0.0)]] = True
-    state.end[np.repeat(2 * np.flatnonzero(state.closing), 2).reshape(-1, 2) + [0, 1]] = (
-        LineEnd.CLOSED
-    )
-    # On a short ring the arms of a line that closes may have passed their own seed as well.
-    is_beside = ~is_meeting & ~state.closing[one.line]
-    _cut(state, one.arm[is_beside], one.arc[is_beside], rules)
+    close_lines(state, one.line[is_meeting & (ahead <= 0.0)])
+    arm, arc = one.arm[~is_meeting], one.arc[~is_meeting]
+    np.minimum.at(state.turned, arm, np.maximum(arc - STEP * rules.spacing, 0.0))
+    is_open = ~state.closing[arm // 2]
+    _cut(state, arm[is_open], arc[is_open], rules)
+
+
+def close_lines(state: Arms, line: Indices) -> None:
+    """End both arms of lines that met themselves.
+
+    Parameters
+    ----------
+    state : Arms
+        Changed.
+    line : (n,) int64
+    """
+    state.closing[line] = True
+    state.end[np.concatenate([2 * line, 2 * line + 1])] = LineEnd.CLOSED
 
 
 def _meet_others(state: Arms, one: Samples, two: Samples, flags: Flags, rules: Rules) -> None:

@@ -139,7 +139,8 @@ class DirectionField:
         tangent : (n, 3) float64
             Unit vectors at right angles to the interpolated normal, of either sign.
         course : (n, 3) float64
-            The same in the plane of the triangle: seen along the interpolated normal.
+            The same in the plane of the triangle: seen along the interpolated normal, or along its
+            own where the mesh folds over.
         strength : (n,) float64
             Half the difference of the principal curvatures in 1/m; for asymptotic lines the square
             root of -k1 k2, zero where there is no such direction.
@@ -159,8 +160,11 @@ class DirectionField:
         angle, strength = _turned(angle, strength, values[:, 12], family)
         tangent = np.cos(angle)[:, None] * first + np.sin(angle)[:, None] * second
         flat = frame[:, 2]
-        cosine = np.maximum(dot(normal, flat), STEEPEST)
-        course = unit(tangent - (dot(tangent, flat) / cosine)[:, None] * normal)
+        cosine = dot(normal, flat)
+        folds = cosine < STEEPEST
+        along = np.where(folds[:, None], flat, normal)
+        cosine = np.where(folds, 1.0, cosine)
+        course = unit(tangent - (dot(tangent, flat) / cosine)[:, None] * along)
         return tangent, course, strength
 
 

@@ -24,9 +24,11 @@ from .assembly import assemble
 from .continuing import continuing_seeds
 from .endings import Rules, Surroundings, surroundings
 from .field import PRINCIPAL, Family
+from .guides import ACROSS, balance, guide_seeds, measured_seeds
+from .holes import hole_seeds
 from .lines import CurvatureLines, joined_lines, no_lines
 from .samples import Samples, distances, joined, seed_samples
-from .seeding import gap_seeds, guide_seeds, hole_seeds, measured_seeds, ray_seeds, samples_along
+from .seeding import gap_seeds, ray_seeds, samples_along
 from .seeds import Seeds
 from .tracer import LineField, usable
 from .tracing import trace
@@ -49,14 +51,18 @@ _ROUNDS = 60
 
 @dataclass
 class _Layout:
-    """Lines placed so far, their samples, seeds that gave none, and how many went on at seams."""
+    """Lines placed so far, their samples, and how many of them went on at seams.
+
+    Of every shortest length, the seeds tried with it: of a longer line there may be no room where a
+    shorter one still has some.
+    """
 
     lines: LineField
     rules: Rules
     around: Surroundings
     placed: CurvatureLines
     samples: Samples
-    tried: Samples
+    tried: dict[float, Samples]
     gone_on: int = 0
 
     def add(self, seeds: Seeds, shortest: float = _SHORTEST) -> int:
@@ -70,7 +76,8 @@ class _Layout:
         new = assemble(field, state, samples, self.rules, shortest * spacing)
         # Who gave way to a line that is placed now may still have room beside it.
         is_told = (samples.arc == 0.0) & ~state.is_removed[samples.line]
-        self.tried = joined([self.tried, samples.chosen(is_told)])
+        before = self.tried.get(shortest, self.lines.no_samples)
+        self.tried[shortest] = joined([before, samples.chosen(is_told)])
         if new.count:
             self.samples = joined(
                 [
@@ -90,12 +97,13 @@ class _Layout:
             if not self.add(self.fresh(seeds, _BESIDE)):
                 break
 
-    def fresh(self, seeds: Seeds, share: float = _FREE) -> Seeds:
+    def fresh(self, seeds: Seeds, share: float = _FREE, shortest: float = _SHORTEST) -> Seeds:
         """Return the seeds that are a share of the spacing from lines, and not tried before."""
+        tried = self.tried.get(shortest, self.lines.no_samples)
         found = seed_samples(self.lines.field, seeds)
         spacing = self.rules.spacing
         is_free = distances(found, self.samples, spacing, share * spacing) == np.inf
-        is_new = distances(found, self.tried, spacing, 0.3 * spacing) == np.inf
+        is_new = distances(found, tried, spacing, 0.3 * spacing) == np.inf
         return seeds.chosen(is_free & is_new)
 
 
@@ -128,6 +136,7 @@ def trace_evenly(
     """
     if not (np.isfinite(spacing) and spacing > 0.0):
         raise InvalidSettingError(f"the spacing must be greater than zero, not {spacing:g} m")
+    spacing = float(spacing)
     if on_progress:
         on_progress(0.0)
     layout = _Layout(
@@ -136,15 +145,16 @@ def trace_evenly(
         around=surroundings(lines.field, lines.umbilics, spacing),
         placed=no_lines(),
         samples=lines.no_samples,
-        tried=lines.no_samples,
+        tried={},
     )
     layout.add(ray_seeds(lines, families, spacing))
     seeds = guide_seeds(lines, families)
     # The largest part first: lines go on from it into others.
     is_first = seeds.triangle == seeds.triangle[:1]
     for part in (is_first, ~is_first):
-        guides = _guides(layout, seeds.chosen(part))
-        layout.add(layout.fresh(measured_seeds(lines, guides, families, spacing)))
+        guides = _alone(layout, seeds.chosen(part))
+        steps = _steps(layout, guides, families)
+        layout.add(layout.fresh(measured_seeds(lines.field, guides, families, steps)))
         layout.go_on(families)
     for turn in range(_ROUNDS):
         if on_progress:
@@ -154,20 +164,37 @@ def trace_evenly(
         layout.go_on(families)
         if not added:
             seeds = hole_seeds(lines, layout.samples, families, spacing)
-            seeds = layout.fresh(seeds)
+            seeds = layout.fresh(seeds, _FREE, _SHORTEST_IN_HOLE)
             if not len(seeds):
                 break
             layout.add(seeds, _SHORTEST_IN_HOLE)
     return _sorted(layout.placed)
 
 
-def _guides(layout: _Layout, seeds: Seeds) -> CurvatureLines:
-    """Return lines across the families, of which spacings are measured off."""
+def _alone(layout: _Layout, seeds: Seeds) -> CurvatureLines:
+    """Return lines that end for themselves only."""
     lines = layout.lines
     alone = Rules(layout.rules.spacing, layout.rules.nearest, competes=False)
     seeds = usable(lines, seeds)
     state, samples = trace(lines.field, layout.around, seeds, lines.no_samples, alone)
     return assemble(lines.field, state, samples, alone, layout.rules.spacing)
+
+
+def _steps(
+    layout: _Layout, guides: CurvatureLines, families: tuple[Family, ...]
+) -> dict[int, float]:
+    """Return the distances along guides of each family at which lines start, in meters.
+
+    That is the spacing where lines come close to each other or drift apart anyway. Where they do
+    neither by much, all can run from end to end, if they start closer where they are closest.
+    """
+    spacing = layout.rules.spacing
+    steps = {int(family): spacing for family in Family}
+    crossing = _alone(layout, measured_seeds(layout.lines.field, guides, families, steps))
+    for family in families:
+        own = crossing.chosen(np.flatnonzero(crossing.family == family))
+        steps[int(ACROSS[family])] = spacing * balance(layout.lines, own, spacing)
+    return steps
 
 
 def _sorted(placed: CurvatureLines) -> CurvatureLines:

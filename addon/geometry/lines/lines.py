@@ -31,7 +31,7 @@ class LineEnd(IntEnum):
     PARABOLIC = 6
     """An asymptotic line at a parabolic curve, beyond which there is none."""
     FOLD = 7
-    """Where the mesh folds over, so that it does not show which way the surface goes on."""
+    """Where the mesh folds over or its directions turn sharply: it does not show the way on."""
 
 
 @dataclass(frozen=True)

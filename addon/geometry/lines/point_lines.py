@@ -7,7 +7,7 @@ They are those of `tracer.trace_from`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from dataclasses import field as field_of
 from time import perf_counter
 
@@ -15,13 +15,15 @@ import numpy as np
 
 from ..types import Floats
 from .assembly import assemble
-from .endings import STEP, Arms
+from .endings import STEP, Arms, close_lines
 from .field import Family
 from .lines import CurvatureLines, LineEnd
 from .samples import Trail, take_samples
 from .seeds import make_seeds
 from .tracer import LineField, own_rules, usable
-from .walking import Ground, Walker
+from .tracing import SWERVE
+from .turning import AROUND, BEHIND, STRAIGHT_ON
+from .walking import Ground, Vector, Walker
 from .watch import Watch
 
 _ASYMPTOTIC = int(Family.ASYMPTOTIC_LEFT)
@@ -62,11 +64,17 @@ class PointTracer:
 class _Arm:
     """Half of a line: where it is, all places that it went through, and those for a look.
 
+    `start` and `direction` are those of the seed, `faced` is where it headed at the place looked at
+    last, and `lowest` is how far behind its start it has been, as a negative number in meters.
     Places are rows of numbers, one after the other: Python would look through as many tuples now
     and then, which takes longer than to trace a line.
     """
 
     walker: Walker
+    start: Vector
+    direction: Vector
+    faced: Vector
+    lowest: float = 0.0
     arc: float = 0.0
     looked: float = 0.0
     steps: list[float] = field_of(default_factory=list)
@@ -95,7 +103,7 @@ class PointLines:
         tangent = lines.field.evaluate(seeds.triangle, seeds.barycentric, seeds.family)[0]
         self._tracer = tracer
         self._arms = [
-            _started(triangle, place, sign * heading, family)
+            _started(tracer.ground, triangle, place, sign * heading, family)
             for heading, family in zip(tangent, seeds.family.tolist(), strict=True)
             for sign in (1.0, -1.0)
         ]
@@ -105,7 +113,10 @@ class PointLines:
             cut=np.full(number, np.inf),
             is_removed=np.zeros(number // 2, dtype=np.bool_),
             closing=np.zeros(number // 2, dtype=np.bool_),
+            turned=np.full(number, np.inf),
+            bend=np.zeros(number),
         )
+        self._ground, self._rules = tracer.ground, tracer.rules
         self._reach = STEP * tracer.rules.spacing
         self._is_rim = lines.field.mesh.is_rim
         self._area = lines.umbilics.triangle_area
@@ -131,7 +142,7 @@ class PointLines:
         state, field = self._state, self._tracer.lines.field
         samples = take_samples(field, self._trail([arm.steps for arm in self._arms]))
         # Lines that close are cut where their arms meet, which is not to last while they run.
-        so_far = Arms(state.end.copy(), state.cut.copy(), state.is_removed, state.closing)
+        so_far = replace(state, end=state.end.copy(), cut=state.cut.copy())
         return assemble(field, so_far, samples, self._tracer.rules, 0.0)
 
     def _go_on(self) -> None:
@@ -141,8 +152,11 @@ class PointLines:
                 continue
             for _ in range(self._watch.interval):
                 end = self._step(arm)
-                if end is not None:
+                if end is LineEnd.CLOSED:
+                    close_lines(self._state, np.array([number // 2]))
+                elif end is not None:
                     self._state.end[number] = end
+                if end is not None:
                     break
         sparse = self._trail([arm.sparse for arm in self._arms])
         self._watch.look(sparse, np.array([arm.arc for arm in self._arms]))
@@ -156,11 +170,13 @@ class PointLines:
         arm.arc += way
         step = arm.arc, walker.triangle, *walker.place, *walker.heading
         arm.steps.extend(step)
-        if arm.arc >= arm.looked + reach * (1.0 - 1e-6):
-            arm.looked = arm.arc
+        if arm.arc >= arm.looked + reach * (1.0 - 1e-6) or _dot(arm.faced, walker.heading) < SWERVE:
+            arm.looked, arm.faced = arm.arc, walker.heading
             arm.sparse.extend(step)
         before = walker.triangle
-        end = LineEnd.UMBILIC if self._leaves_umbilic(arm) else None
+        end = LineEnd.CLOSED if self._comes_around(arm) else None
+        if self._leaves_umbilic(arm):
+            end = LineEnd.UMBILIC
         if side >= 0 and ground.cross(walker, side):
             end = LineEnd.RIM if self._is_rim[before, side] else LineEnd.CREASE
         elif self._area[walker.triangle] >= 0:
@@ -168,6 +184,19 @@ class PointLines:
         if walker.family >= _ASYMPTOTIC and ground.is_parabolic(walker):
             end = LineEnd.PARABOLIC
         return end
+
+    def _comes_around(self, arm: _Arm) -> bool:
+        """Return whether an arm has come around to where it started; see `end_at_seeds`."""
+        x, y, z = (a - b for a, b in zip(self._ground.position(arm.walker), arm.start, strict=True))
+        ahead = _dot((x, y, z), arm.direction)
+        arm.lowest = min(arm.lowest, ahead)
+        if not 0.0 <= ahead < 0.5 * min(self._rules.spacing, arm.arc):
+            return False
+        if arm.lowest >= -BEHIND * arm.arc:
+            return False
+        aside = x * x + y * y + z * z - ahead * ahead
+        is_near = aside < min(self._rules.nearest, AROUND * arm.arc) ** 2
+        return is_near and _dot(arm.walker.heading, arm.direction) > STRAIGHT_ON
 
     def _leaves_umbilic(self, arm: _Arm) -> bool:
         """Return whether an arm begins to leave an umbilic that it came close to."""
@@ -189,9 +218,15 @@ class PointLines:
         return Trail(arm, rows[:, 0], triangle, rows[:, 2:5], rows[:, 5:], family[arm])
 
 
-def _started(triangle: int, place: Floats, heading: Floats, family: int) -> _Arm:
+def _started(ground: Ground, triangle: int, place: Floats, heading: Floats, family: int) -> _Arm:
     """Return an arm that stands at its seed."""
     a, b, c = place.tolist()
-    x, y, z = heading.tolist()
+    x, y, z = course = tuple(heading.tolist())
     first = [0.0, float(triangle), a, b, c, x, y, z]
-    return _Arm(Walker(triangle, (a, b, c), (x, y, z), family), steps=first, sparse=first.copy())
+    walker = Walker(triangle, (a, b, c), course, family)
+    start = ground.position(walker)
+    return _Arm(walker, start, course, course, steps=first, sparse=first.copy())
+
+
+def _dot(one: Vector, two: Vector) -> float:
+    return one[0] * two[0] + one[1] * two[1] + one[2] * two[2]

@@ -12,12 +12,18 @@ import numpy as np
 from ..types import Flags, Floats, Indices
 from .field import DirectionField
 from .seeds import Seeds
-from .vectors import unit
+from .vectors import dot, unit
 
 Kind = TypeVar("Kind", bound="Trail")
 
-#: Normals count as positions this many spacings long: the far side of a thin shell is far away.
-_NORMAL = 0.5
+#: Least cosine between the normals of places that can be neighbors: the far side of a thin shell is
+#: far away, but not that of an edge rounded off.
+_SAME_SIDE = -0.5
+#: Normals count as positions this many spacings long in the search for neighbors, so that it finds
+#: few that are none.
+_NORMAL = 0.25
+#: Most samples among which the closest one is looked for.
+_CANDIDATES = 4
 #: Families count as positions this many spacings apart.
 _FAMILY = 1e3
 
@@ -81,7 +87,7 @@ class Samples(Trail):
     normal: Floats
 
     def keys(self, spacing: float) -> Floats:
-        """Return points whose distance is that of the samples on their surface, (p, 7)."""
+        """Return points no closer to each other than the samples are, (p, 7)."""
         direction = _NORMAL * spacing * unit(self.normal)
         family = (_FAMILY * spacing * self.family[:, None]).astype(np.float64)
         return np.concatenate([self.position, direction, family], axis=1)
@@ -146,24 +152,38 @@ def close_pairs(
     -------
     sample, other : (q,) int64
     """
-    if not (len(samples) and len(others)):
-        return np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64)
-    from scipy.spatial import cKDTree
-
-    tree = cKDTree(others.keys(spacing), balanced_tree=False, compact_nodes=False)
-    number = min(count, len(others))
-    found = tree.query(samples.keys(spacing), k=number, distance_upper_bound=reach)[1]
-    found = np.asarray(found, dtype=np.int64).reshape(-1, number)
-    sample, column = np.nonzero(found < len(others))
-    return sample.astype(np.int64), found[sample, column]
+    sample, other, away = _searched(samples, others, spacing, reach, count)
+    is_close = away < reach
+    return sample[is_close], other[is_close]
 
 
 def distances(samples: Samples, others: Samples, spacing: float, reach: float) -> Floats:
     """Return the distance to the closest of other samples, inf beyond a reach, (p,) in meters."""
+    sample, _, away = _searched(samples, others, spacing, reach, _CANDIDATES)
+    distance = np.full(len(samples), np.inf)
+    np.minimum.at(distance, sample, np.where(away < reach, away, np.inf))
+    return distance
+
+
+def _searched(
+    samples: Samples, others: Samples, spacing: float, reach: float, count: int
+) -> tuple[Indices, Indices, Floats]:
+    """Return pairs on the same side of the surface and their distances in space."""
     if not (len(samples) and len(others)):
-        return np.full(len(samples), np.inf)
+        return np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64), np.zeros(0)
     from scipy.spatial import cKDTree
 
     tree = cKDTree(others.keys(spacing), balanced_tree=False, compact_nodes=False)
-    found = tree.query(samples.keys(spacing), k=1, distance_upper_bound=reach)[0]
-    return np.asarray(found, dtype=np.float64)
+    number = min(count, len(others))
+    # Keys of neighbors differ by their normals too: by as much as normals on one side can.
+    bound = np.hypot(reach, _NORMAL * spacing * np.sqrt(2.0 - 2.0 * _SAME_SIDE))
+    found = tree.query(samples.keys(spacing), k=number, distance_upper_bound=bound)[1]
+    found = np.asarray(found, dtype=np.int64).reshape(-1, number)
+    sample, column = np.nonzero(found < len(others))
+    other = found[sample, column]
+    one, two = samples.normal[sample], others.normal[other]
+    length = np.sqrt(dot(one, one) * dot(two, two))
+    is_beside = dot(one, two) >= _SAME_SIDE * length
+    sample, other = sample[is_beside].astype(np.int64), other[is_beside]
+    apart = samples.position[sample] - others.position[other]
+    return sample, other, np.sqrt(dot(apart, apart))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where evenly spaced lines start: at umbilics, along lines across, beside lines, in holes."""
+"""Where evenly spaced lines start: at umbilics, and beside lines."""
 
 from __future__ import annotations
 
@@ -8,29 +8,19 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..groups import connected_groups, sum_by_group
 from ..types import Floats, Indices
 from .assembly import shifted
 from .field import DirectionField, Family
 from .lines import CurvatureLines
 from .samples import Samples, Trail, close_pairs, distances, take_samples
 from .seeds import Seeds, joined_seeds, make_seeds
-from .tracer import LineField, is_usable
+from .tracer import LineField
 from .vectors import cross, unit
 
-#: The family that crosses each one.
-_ACROSS = {
-    Family.FIRST: Family.SECOND,
-    Family.SECOND: Family.FIRST,
-    Family.ASYMPTOTIC_LEFT: Family.ASYMPTOTIC_RIGHT,
-    Family.ASYMPTOTIC_RIGHT: Family.ASYMPTOTIC_LEFT,
-}
 #: A gap up to this many spacings wide takes one line, in its middle.
 _ONE = 2.5
 #: A place beside a line, not yet put on the surface, is free this share of the spacing from lines.
 _GUESS = 0.6
-#: Smallest strength, over that of the typical sector, where guides start.
-_STRONG = 0.5
 
 
 def course(lines: CurvatureLines) -> tuple[Floats, Floats]:
@@ -113,69 +103,6 @@ def ray_seeds(lines: LineField, families: tuple[Family, ...], spacing: float) ->
     return joined_seeds(parts)
 
 
-def guide_seeds(lines: LineField, families: tuple[Family, ...]) -> Seeds:
-    """Return a seed in the middle of every smooth part, for lines across the families."""
-    field, mesh = lines.field, lines.field.mesh
-    strength = field.strength
-    if min(families) >= Family.ASYMPTOTIC_LEFT:
-        strength = np.sqrt(np.maximum(strength**2 - field.mean**2, 0.0))
-    strength = strength[mesh.triangles].min(axis=1)
-    is_open = (lines.umbilics.triangle_area < 0) & (strength > 0.0)
-    joined = (mesh.neighbor >= 0) & is_open[:, None] & is_open[mesh.neighbor]
-    triangle, side = np.nonzero(joined)
-    part = connected_groups(
-        np.stack([triangle, mesh.neighbor[triangle, side]], axis=1), len(is_open)
-    )
-    count = int(part.max(initial=-1)) + 1
-    area = sum_by_group(part, mesh.double_area, count)
-    middle = mesh.position[mesh.triangles].mean(axis=1)
-    center = (
-        np.stack(
-            [sum_by_group(part, mesh.double_area * middle[:, axis], count) for axis in range(3)],
-            axis=1,
-        )
-        / np.maximum(area, 1e-300)[:, None]
-    )
-    typical = sum_by_group(part, mesh.double_area * strength, count) / np.maximum(area, 1e-300)
-    away = np.linalg.norm(middle - center[part], axis=1)
-    is_weak = strength < _STRONG * typical[part]
-    order = np.lexsort((away, is_weak, part))
-    first = order[np.flatnonzero(np.diff(part[order], prepend=-1))]
-    # Only the largest parts: what is small is filled without a guide.
-    first = first[is_open[first]]
-    first = first[np.argsort(-area[part[first]])][:50]
-    across = sorted({int(_ACROSS[family]) for family in families})
-    return make_seeds(
-        np.tile(first, len(across)),
-        np.full((len(first) * len(across), 3), 1.0 / 3.0),
-        np.repeat(np.array(across, dtype=np.int64), len(first)),
-    )
-
-
-def measured_seeds(
-    lines: LineField, guides: CurvatureLines, families: tuple[Family, ...], spacing: float
-) -> Seeds:
-    """Return seeds at even distances along guides, as close to the spacing as that goes."""
-    wanted = np.isin(guides.family, [int(_ACROSS[family]) for family in families])
-    chosen = guides.chosen(np.flatnonzero(wanted))
-    line = chosen.point_line
-    arc, _ = course(chosen)
-    length = chosen.length
-    number = np.maximum(1, np.round(length / spacing))
-    # On a guide from rim to rim the outer lines keep half a spacing to the rims.
-    step = arc / (length / number)[line] + 0.5
-    is_due = (np.diff(np.floor(step), prepend=0.0) > 0.0) & (np.diff(line, prepend=-1) == 0)
-    is_due |= (np.diff(line, prepend=-1) != 0) & chosen.is_closed[line]
-    here = np.flatnonzero(is_due)
-    across = np.zeros(1 + max(Family), dtype=np.int64)
-    for one, other in _ACROSS.items():
-        across[one] = other
-    # From the middle of each guide outward, so that what is important comes first.
-    return make_seeds(
-        chosen.triangle[here], chosen.barycentric[here], across[chosen.family[line[here]]]
-    )
-
-
 def gap_seeds(lines: LineField, placed: CurvatureLines, samples: Samples, spacing: float) -> Seeds:
     """Return seeds beside lines, where the next line is missing.
 
@@ -208,42 +135,8 @@ def gap_seeds(lines: LineField, placed: CurvatureLines, samples: Samples, spacin
     middle = rows[first + size // 2]
     middle = middle[np.argsort(-size, kind="stable")]
     del names
-    middle = middle[_apart(found.chosen(middle), spacing)]
+    middle = middle[apart(found.chosen(middle), spacing)]
     chosen = found.chosen(middle)
-    return make_seeds(chosen.triangle, chosen.barycentric, chosen.family)
-
-
-def hole_seeds(
-    lines: LineField, samples: Samples, families: tuple[Family, ...], spacing: float
-) -> Seeds:
-    """Return seeds in the middle of triangles that are farther than a spacing from any line."""
-    field = lines.field
-    mesh = field.mesh
-    inside = np.flatnonzero((lines.umbilics.triangle_area < 0) & (mesh.double_area > 0.0))
-    # A triangle in about every quarter of a spacing is enough, on every side of a thin part.
-    size = max(mesh.edge_length, 0.25 * spacing)
-    cell = np.concatenate(
-        [
-            np.floor(mesh.position[mesh.triangles[inside]].mean(axis=1) / size),
-            np.round(mesh.frame[inside, 2]),
-        ],
-        axis=1,
-    ).astype(np.int64)
-    inside = inside[np.unique(cell, axis=0, return_index=True)[1]]
-    triangle = np.tile(inside, len(families))
-    family = np.repeat(np.array([int(each) for each in families], dtype=np.int64), len(inside))
-    barycentric = np.full((len(triangle), 3), 1.0 / 3.0)
-    none = np.zeros((len(triangle), 3))
-    place = Trail(
-        2 * np.arange(len(triangle)), np.zeros(len(triangle)), triangle, barycentric, none, family
-    )
-    all_of_them = take_samples(field, place)
-    distance = distances(all_of_them, samples, spacing, 4.0 * spacing)
-    far = np.flatnonzero(distance > spacing)
-    far = far[is_usable(lines, triangle[far], barycentric[far], family[far])]
-    far = far[np.argsort(-np.minimum(distance[far], 1e30), kind="stable")]
-    far = far[_apart(all_of_them.chosen(far), spacing)]
-    chosen = all_of_them.chosen(far)
     return make_seeds(chosen.triangle, chosen.barycentric, chosen.family)
 
 
@@ -270,8 +163,16 @@ def _gaps(found: Samples, samples: Samples, gone: Floats, spacing: float) -> Flo
     return gap
 
 
-def _apart(samples: Samples, spacing: float) -> Indices:
-    """Return the samples that have no more important one of their family close by."""
+def apart(samples: Samples, spacing: float) -> Indices:
+    """Return the samples that have no more important one of their family close by.
+
+    Parameters
+    ----------
+    samples : Samples
+        The most important first.
+    spacing : float
+        In meters.
+    """
     sample, other = close_pairs(samples, samples, spacing, 0.85 * spacing, 12)
     is_kept = np.ones(len(samples), dtype=np.bool_)
     is_kept[sample[other < sample]] = False

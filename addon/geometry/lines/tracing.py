@@ -25,8 +25,14 @@ from .lines import LineEnd
 from .samples import Samples, Trail, joined, no_trail, take_samples
 from .seeds import Seeds
 from .steps import follow, start_walkers
+from .turning import end_at_seeds, end_at_turns
 from .umbilics import Umbilics
+from .vectors import dot
 from .watch import Watch
+
+#: Cosine of the turn after which a place is compared with other lines before its time: around a
+#: thin pipe it is not far.
+SWERVE = 0.87
 
 
 def trace(
@@ -68,12 +74,16 @@ def trace(
         cut=np.full(len(arm), np.inf),
         is_removed=np.zeros(len(seeds), dtype=np.bool_),
         closing=np.zeros(len(seeds), dtype=np.bool_),
+        turned=np.full(len(arm), np.inf),
+        bend=np.zeros(len(arm)),
     )
+    start, lowest = take_samples(field, first), np.zeros(len(arm))
     parts, sparse = [first, _at_umbilics(field, around.umbilics, seeds, tangent)], [first]
-    looked, count = np.zeros(len(arm)), 0
+    looked, faced, count = np.zeros(len(arm)), heading.copy(), 0
     watch = Watch(field, placed, rules, state)
     while len(active := np.flatnonzero(state.end < 0)):
         moving = walkers.chosen(active)
+        before, normal = moving.heading, field.mesh.frame[moving.triangle, 2]
         way, side = follow(field, moving, np.full(len(active), STEP * rules.spacing))
         arc[active] += way
         new = Trail(
@@ -86,8 +96,13 @@ def trace(
         )
         parts.append(new)
         is_due = new.arc >= looked[active] + STEP * rules.spacing * (1.0 - 1e-6)
-        looked[active[is_due]] = new.arc[is_due]
+        is_due |= dot(new.heading, faced[active]) < SWERVE
+        looked[active[is_due]], faced[active[is_due]] = new.arc[is_due], new.heading[is_due]
         sparse.append(new.chosen(is_due))
+        # Without a spacing of their own lines follow every kink: within an edge none is sharp.
+        if rules.competes:
+            end_at_turns(normal, before, way, new, state, rules)
+        end_at_seeds(field, start, lowest, new, state, rules)
         end_at_umbilics(field, around, new, state)
         end_at_sides(field, around, moving, side, state, active)
         end_at_parabolic(field, moving, state, active)

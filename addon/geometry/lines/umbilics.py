@@ -25,6 +25,9 @@ from .transport import Transport
 
 #: Zeros this many edges from the middle of them all are no point.
 _POINT = 3.0
+#: Areas that reach no farther than this share of the diagonal from their middle have no room for a
+#: line: half of a panel of the usual size.
+_ROOM = 1.0 / 40.0
 
 
 class UmbilicKind(IntEnum):
@@ -63,7 +66,8 @@ class Umbilics:
         Umbilic area of each triangle, -1 for none.
     area_index : (a,) float64
         Index of each area: the turn of the directions around it, or 0 for an area that reaches a
-        rim or a crease, around which one cannot walk.
+        rim or a crease, around which one cannot walk. Of these all that are too small for a line
+        are one area together: on a mesh with creases everywhere there are hundreds.
     area_size : (a,) float64
         In m².
     """
@@ -104,7 +108,7 @@ def find_umbilics(field: DirectionField, transport: Transport, areas: Areas) -> 
     """
     mesh = field.mesh
     index = 0.5 * half_indices(transport, transport.turn(field.deviator))
-    triangle_area, area_count = areas.triangle_area, areas.count
+    triangle_area, area_count = _gathered(field, areas)
     is_inside = triangle_area >= 0
     area_index = sum_by_group(triangle_area[is_inside], index[is_inside], area_count)
     # Around an area that reaches the outline of the surface one cannot walk.
@@ -127,6 +131,26 @@ def find_umbilics(field: DirectionField, transport: Transport, areas: Areas) -> 
         area_index=0.5 * np.round(2.0 * area_index),
         area_size=area_size,
     )
+
+
+def _gathered(field: DirectionField, areas: Areas) -> tuple[Indices, int]:
+    """Return the area of every triangle, with small ones at creases in one, and the count."""
+    mesh = field.mesh
+    inside = np.flatnonzero(areas.triangle_area >= 0)
+    area = areas.triangle_area[inside]
+    corner = mesh.position[mesh.triangles[inside]].reshape(-1, 3)
+    reach = extent(np.repeat(area, 3), corner, areas.count)
+    is_small = reach < _ROOM * field.surface.mesh.diagonal
+    has_outline = np.zeros(areas.count, dtype=np.bool_)
+    has_outline[area[(mesh.neighbor[inside] < 0).any(axis=1)]] = True
+    is_scrap = is_small & has_outline
+    if not is_scrap.any():
+        return areas.triangle_area, areas.count
+    number = np.cumsum(~is_scrap) - 1
+    number[is_scrap] = number[-1] + 1
+    triangle_area = areas.triangle_area.copy()
+    triangle_area[inside] = number[area]
+    return triangle_area, int((~is_scrap).sum()) + 1
 
 
 def _grouped(field: DirectionField, zeros: Zeros, half: Indices, zone: Indices) -> Zeros:

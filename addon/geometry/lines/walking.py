@@ -30,6 +30,8 @@ class Tile:
 
     Parameters
     ----------
+    place : nine float
+        Positions of the corners in meters.
     gradient : nine float
     along, flat : vector
         First and last row of the frame.
@@ -39,6 +41,7 @@ class Tile:
     neighbor, neighbor_side : three int
     """
 
+    place: tuple[float, ...]
     gradient: tuple[float, ...]
     along: tuple[float, ...]
     flat: tuple[float, ...]
@@ -126,6 +129,12 @@ class Ground:
         walker.triangle, walker.place = beyond, (after[0], after[1], after[2])
         return False
 
+    def position(self, walker: Walker) -> Vector:
+        """Return where a walker stands, as the positions of the field's mesh."""
+        a, b, c = walker.place
+        x, y, z, p, q, r, u, v, w = self.tile(walker.triangle).place
+        return a * x + b * p + c * u, a * y + b * q + c * v, a * z + b * r + c * w
+
     def is_parabolic(self, walker: Walker) -> bool:
         """Return whether a walker stands where asymptotic lines end; see `end_at_parabolic`."""
         _, _, _, bend, twist, mean = _shape(self.tile(walker.triangle), walker.place)
@@ -144,6 +153,7 @@ class Ground:
         one, two, three = mesh.triangles[triangle].tolist()
         frame = self._frame[triangle]
         return Tile(
+            tuple(mesh.position[mesh.triangles[triangle]].ravel().tolist()),
             tuple(self._gradient[triangle].ravel().tolist()),
             tuple(frame[0].tolist()),
             tuple(frame[2].tolist()),
@@ -167,8 +177,12 @@ def _directions(tile: Tile, place: Vector, family: int, heading: Vector) -> tupl
     if x * heading[0] + y * heading[1] + z * heading[2] < 0.0:
         x, y, z = -x, -y, -z
     p, q, r = tile.flat
-    lift = (x * p + y * q + z * r) / max(nx * p + ny * q + nz * r, STEEPEST)
-    p, q, r = x - lift * nx, y - lift * ny, z - lift * nz
+    lift, cosine = x * p + y * q + z * r, nx * p + ny * q + nz * r
+    if cosine < STEEPEST:
+        p, q, r = x - lift * p, y - lift * q, z - lift * r
+    else:
+        lift /= cosine
+        p, q, r = x - lift * nx, y - lift * ny, z - lift * nz
     size = sqrt(p * p + q * q + r * r + 1e-300)
     return (x, y, z), (p / size, q / size, r / size)
 
