@@ -25,8 +25,6 @@ from composites.tubes import torus
 
 NOISE = 0.01
 ROWS = list(itertools.product(COMPOSITES, ("quads", "triangles"), (0.0, NOISE)))
-#: Rows where all borders are within an edge of the seams; docs/accuracy.md has the others.
-WITHIN_AN_EDGE = [row for row in ROWS if not row[2] or row[0] in ("rounded box", "folded plate")]
 
 
 @cache
@@ -63,9 +61,11 @@ def test_the_number_of_regions_is_exact(name: str, kind: str, noise: float) -> N
     assert result.regions.count == shape.regions
 
 
-@pytest.mark.parametrize(("name", "kind", "noise"), WITHIN_AN_EDGE)
+@pytest.mark.parametrize(("name", "kind", "noise"), ROWS)
 def test_borders_lie_within_an_edge_of_the_seams(name: str, kind: str, noise: float) -> None:
-    assert _share_near_seams(*_segmented(name, Recipe(kind=kind, noise=noise)), 1.0) >= 0.99
+    share = _share_near_seams(*_segmented(name, Recipe(kind=kind, noise=noise)), 1.0)
+    # As much as of the area, which noise may take from the right class.
+    assert share >= (0.97 if noise else 0.99)
 
 
 @pytest.mark.parametrize(("name", "kind", "noise"), [row for row in ROWS if row[2]])

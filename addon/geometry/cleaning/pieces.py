@@ -207,5 +207,8 @@ def _clearance(places: Places, piece: Piece, limit: float) -> float:
     """
     if piece.primitive.kind is Kind.TORUS:
         return limit
-    bends = np.abs(piece.primitive.bends(places.position[piece.members]))
-    return float(np.median(np.abs(bends - limit).min(axis=0)))
+    apart = [
+        np.abs(np.abs(bend) - limit)
+        for bend in piece.primitive.bends(places.position[piece.members])
+    ]
+    return float(np.median(np.minimum(*apart)))
