@@ -63,9 +63,14 @@ def test_the_number_of_regions_is_exact(name: str, kind: str, noise: float) -> N
 
 @pytest.mark.parametrize(("name", "kind", "noise"), ROWS)
 def test_borders_lie_within_an_edge_of_the_seams(name: str, kind: str, noise: float) -> None:
-    share = _share_near_seams(*_segmented(name, Recipe(kind=kind, noise=noise)), 1.0)
+    shape, surface, result = _segmented(name, Recipe(kind=kind, noise=noise))
+    corner = shape.vertices[shape.polygons]
+    sides = np.linalg.norm(corner - np.roll(corner, -1, axis=1), axis=2)
+    # A triangle whose center is on its own side of a seam reaches beyond it by less than two thirds
+    # of its longest side.
+    reach = max(1.0, 2.0 / 3.0 * float(sides.max()) / shape.edge)
     # As much as of the area, which noise may take from the right class.
-    assert share >= (0.97 if noise else 0.99)
+    assert _share_near_seams(shape, surface, result, reach) >= (0.97 if noise else 0.99)
 
 
 @pytest.mark.parametrize(("name", "kind", "noise"), [row for row in ROWS if row[2]])

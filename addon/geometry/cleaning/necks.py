@@ -20,7 +20,7 @@ from ..types import Flags, Floats, Indices
 _NECK, _NECK_EDGES = 0.5, 2.5
 
 #: The same share where the parts are known to be different surfaces.
-_NECK_OF_PIECES = 0.7
+_NECK_OF_PIECES = 0.6
 
 
 def split_at_necks(

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Settling: polygons beside a border go to the side of its line that they reach into farther.
+"""Settling: polygons beside a border go to the side of its line that their center lies on.
 
 Beside a seam two surfaces fit a polygon almost equally well, and noise decides. But once it is
 known which surfaces meet there, the line in which they do is known from all of their points.
@@ -12,6 +12,7 @@ import numpy as np
 
 from ..classification import SurfaceClass
 from ..criterion import Criterion
+from ..groups import sum_by_group
 from ..surface import Surface
 from ..types import Flags, Indices
 from .crossings import find_crossings
@@ -52,8 +53,7 @@ def settle_at_seams(
     for _ in range(_ROWS):
         crossings = find_crossings(surface, settled, classes, is_locked)
         level, _ = piece_levels(surface, criterion, crossings, on_pieces)
-        start = np.flatnonzero(np.diff(crossings.row, prepend=-1))
-        moves = np.maximum.reduceat(level, start) + np.minimum.reduceat(level, start) > 0.0
+        moves = sum_by_group(crossings.row, level, len(crossings.face)) > 0.0
         cost = on_pieces.cost[crossings.face]
         rows = np.arange(len(cost))
         own, beyond = cost[rows, crossings.own_class], cost[rows, crossings.beyond_class]
