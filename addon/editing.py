@@ -91,7 +91,9 @@ def merge_regions(target: Target) -> tuple[Indices, Indices]:
     areas = sum_by_group(
         target.face_class[of_regions], target.face_area[of_regions], len(SurfaceClass)
     )
-    return editing.merge_regions(locked, cuts, target.face_region, regions, int(np.argmax(areas)))
+    return editing.merge_regions(
+        (locked, cuts), target.face_region, target.face_class, regions, int(np.argmax(areas))
+    )
 
 
 def split_regions(target: Target) -> tuple[Indices, Indices]:

@@ -29,16 +29,20 @@ def assign_class(locked: Indices, faces: Flags, surface_class: int) -> Indices:
 
 
 def merge_regions(
-    locked: Indices, cuts: Indices, face_region: Indices, regions: Indices, surface_class: int
+    given: tuple[Indices, Indices],
+    face_region: Indices,
+    face_class: Indices,
+    regions: Indices,
+    surface_class: int,
 ) -> tuple[Indices, Indices]:
     """Return locked classes and cuts with which several regions become one, where they touch.
 
     Parameters
     ----------
-    locked, cuts : (m,) int64
-        As in `assign_class` and `split_region`.
-    face_region : (m,) int64
-        Region of every polygon, -1 without.
+    given : pair of (m,) int64
+        Locked classes and cuts, as in `assign_class` and `split_region`.
+    face_region, face_class : (m,) int64
+        Region and class of every polygon, -1 without.
     regions : (r,) int64
         What is merged.
     surface_class : int
@@ -47,11 +51,14 @@ def merge_regions(
     Returns
     -------
     locked, cuts : (m,) int64
-        To be given to `segment`. The whole is a part of its own: nothing else of its class joins
-        it, and what was cut off of the merged regions before is healed.
+        To be given to `segment`. What was cut off of the merged regions before is healed. Where a
+        class changes, the whole is a part of its own: nothing else of the new class joins it.
     """
+    locked, cuts = given
     chosen = np.isin(face_region, regions)
-    part = int(cuts.max(initial=0)) + 1
+    part = int(cuts[chosen].min(initial=np.iinfo(np.int64).max)) if chosen.any() else 0
+    if (face_class[chosen] != surface_class).any():
+        part = int(cuts.max(initial=0)) + 1
     return assign_class(locked, chosen, surface_class), np.where(chosen, part, cuts)
 
 

@@ -35,7 +35,7 @@ COMPOSITES: dict[str, Maker] = {
     "folded plate": folded_plate,
 }
 HELD_OUT: dict[str, Maker] = {
-    "round box": partial(rounded_box, half=0.5, radius=0.6),
+    "round box": partial(rounded_box, half=(0.5, 0.5, 0.5), radius=0.6),
     "wide elbow": partial(pipe_elbow, bend=2.0, pipe=0.5, arm=1.5),
     "long vault": partial(apse_vault, radius=0.8, half=2.5),
     "two fillets": two_fillets,

@@ -18,6 +18,7 @@ from architectural_curvature.addon.geometry.outlines.level_curves import parabol
 from architectural_curvature.addon.geometry.segmentation import Segmentation, segment
 from architectural_curvature.addon.geometry.surface import Surface, build_surface
 from architectural_curvature.addon.geometry.tolerance import Tolerance, resolve_tolerance
+from composites.boxes import rounded_box
 from composites.catalogue import COMPOSITES, LATER
 from composites.composite import Composite, Recipe
 from composites.sheets import zigzag_sheet
@@ -94,6 +95,21 @@ def _share_near_seams(
     ]
     is_near = (np.array(others) != own).any(axis=0)
     return float(is_near.mean())
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_low_walls_around_a_slab_are_flat(seed: int) -> None:
+    """Walls of five edges between fillets, which noise makes to seem bent from top to bottom."""
+    recipe = Recipe(count=6000, kind="triangles", noise=NOISE, seed=seed)
+    shape = rounded_box(recipe, half=(1.7, 1.2, 0.2), radius=0.3)
+    surface = build_surface(mesh_from_polygons(shape.vertices, shape.polygons.tolist()))
+    tolerance = resolve_tolerance(0.0, 0.0, surface.mesh.diagonal)
+    result = segment(surface, estimate_curvature(surface), tolerance)
+    center = shape.vertices[shape.polygons].mean(axis=1)
+    is_wall = shape.exact(tolerance.curvature_limit) == SurfaceClass.FLAT
+    is_wall &= np.abs(center[:, 2]) < 0.2 - shape.edge
+    assert is_wall.sum() > 300
+    assert (result.face_class[is_wall] == SurfaceClass.FLAT).mean() >= 0.99
 
 
 @pytest.mark.parametrize("kind", ["quads", "triangles"])

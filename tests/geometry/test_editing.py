@@ -53,7 +53,11 @@ def test_assigned_faces_keep_their_class_and_others_theirs() -> None:
 
 def test_merged_regions_are_one() -> None:
     locked, cuts = merge_regions(
-        FREE, WHOLE, PLAIN.regions.face_region, np.array([0, 1]), SurfaceClass.SINGLE
+        (FREE, WHOLE),
+        PLAIN.regions.face_region,
+        PLAIN.face_class,
+        np.array([0, 1]),
+        SurfaceClass.SINGLE,
     )
     result = segment(SURFACE, CURVATURE, TOLERANCE, locked=locked, cuts=cuts)
     assert result.regions.region_class.tolist() == [SurfaceClass.SINGLE]
@@ -68,7 +72,11 @@ def test_a_region_is_split_along_the_selection_and_can_be_merged_again() -> None
     region = parted.regions.face_region
     assert len(np.unique(region[COLUMN < 6])) == len(np.unique(region[COLUMN < 16])) - 1 == 1
     locked, healed = merge_regions(
-        FREE, cuts, region, np.unique(region[COLUMN < 16]), SurfaceClass.FLAT
+        (FREE, cuts),
+        region,
+        parted.face_class,
+        np.unique(region[COLUMN < 16]),
+        SurfaceClass.FLAT,
     )
     again = segment(SURFACE, CURVATURE, TOLERANCE, locked=locked, cuts=healed)
     assert (again.regions.face_region == PLAIN.regions.face_region).all()
@@ -85,7 +93,8 @@ def test_what_is_merged_does_not_join_neighbors_of_its_class() -> None:
 
     surface = build_surface(mesh_from_polygons(*grid(trough, (48, 16))))
     curvature = estimate_curvature(surface)
-    found = segment(surface, curvature, TOLERANCE).regions
+    plain = segment(surface, curvature, TOLERANCE)
+    found = plain.regions
     assert sorted(found.region_class) == [
         SurfaceClass.FLAT,
         SurfaceClass.SINGLE,
@@ -95,7 +104,11 @@ def test_what_is_merged_does_not_join_neighbors_of_its_class() -> None:
     side = int(found.face_region[0])
     free, whole = np.full(48 * 16, -1), np.zeros(48 * 16, dtype=np.int64)
     locked, cuts = merge_regions(
-        free, whole, found.face_region, np.array([floor, side]), SurfaceClass.SINGLE
+        (free, whole),
+        found.face_region,
+        plain.face_class,
+        np.array([floor, side]),
+        SurfaceClass.SINGLE,
     )
     merged = segment(surface, curvature, TOLERANCE, locked=locked, cuts=cuts).regions
     assert merged.region_class.tolist() == [SurfaceClass.SINGLE, SurfaceClass.SINGLE]

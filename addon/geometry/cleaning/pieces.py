@@ -40,6 +40,8 @@ _REST = 0.2
 #: Doubt about a piece's curvature, as a share of how far it is from the limit, above which it says
 #: nothing about classes: what could hide in its noise is eight times as much.
 _HIDDEN = 1.0 / 16.0
+#: Normals of neighbors on a wall turn by less than this many times what the limit allows.
+_CALM = 4.0
 #: Noise of a piece may exceed that of the whole by this factor.
 _LOUD = 3.0
 #: Heights below this share of an edge move no border by more than a fraction of an edge …
@@ -104,9 +106,14 @@ def find_pieces(
     net = links, length
     pieces = _pieces_inside(places, net, place_class, taken, limit, part_of(on_progress, 0.0, 0.7))
     if pieces:
-        # What no piece has taken may be one that the classes do not show.
+        # What no piece has taken may be one that the classes do not show …
         rest = np.where(taken, -1, 0)
-        pieces += _pieces_inside(places, net, rest, taken, limit, part_of(on_progress, 0.7, 1.0))
+        pieces += _pieces_inside(places, net, rest, taken, limit, part_of(on_progress, 0.7, 0.9))
+        # … or a strip of wall between fillets, which noise has made to seem bent, but not by much.
+        turn = np.linalg.norm(normal[links[:, 0]] - normal[links[:, 1]], axis=1)
+        calm = turn < _CALM * limit * length
+        net, rest = (links[calm], length[calm]), np.where(taken, -1, int(SurfaceClass.SINGLE))
+        pieces += _pieces_inside(places, net, rest, taken, limit, part_of(on_progress, 0.9, 1.0))
     return pieces
 
 
