@@ -179,11 +179,11 @@ def _fitted(
 def _noise_left(places: Places, members: Indices, primitive: Primitive) -> float | None:
     """Return the standard deviation of the members' heights, None if they are not mere noise."""
     height = primitive.heights(places.position[members])
-    freedom = max(len(members) - primitive.kind.value, 1)
-    scatter = float(np.sqrt((height * height).sum() / freedom))
-    if scatter <= places.exact:
+    if (np.abs(height) <= _INLIER * places.exact).mean() >= _HELD:
         # What lies beyond a seam leaves by more than rounding at once.
         return places.exact
+    freedom = max(len(members) - primitive.kind.value, 1)
+    scatter = float(np.sqrt((height * height).sum() / freedom))
     if scatter > places.most:
         return None
     number = np.full(len(places.position), -1, dtype=np.int64)
