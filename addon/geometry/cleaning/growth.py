@@ -24,6 +24,8 @@ _SAMPLE = 800
 _ROUNDS = 16
 #: A piece that keeps less of its seed is none; one that grows by no more than a share rests.
 _HELD, _RESTS = 0.8, 0.01
+#: Of a seed on an exact mesh half is enough: no chance puts a dozen points on a surface.
+_HELD_EXACTLY = 0.5
 #: Standard deviations of the heights within which a point lies on a piece.
 _INLIER = 3.5
 
@@ -149,7 +151,8 @@ def _grown(places: Places, seed: Indices, kind: Kind) -> Piece | None:
         # What lies beyond the rim of a piece has grown into it; small ones are little but rim.
         inner = places.inner(members)
         fitted = inner if len(inner) >= fewest else members
-        if is_seed[members].sum() < _HELD * len(seed) or len(fitted) < fewest:
+        held = _HELD if scatter > places.exact else _HELD_EXACTLY
+        if is_seed[members].sum() < held * len(seed) or len(fitted) < fewest:
             return None
         if len(members) <= (1.0 + _RESTS) * largest:
             # Places on a curve, or on the two of a strip, lie on many surfaces.
@@ -179,7 +182,7 @@ def _fitted(
 def _noise_left(places: Places, members: Indices, primitive: Primitive) -> float | None:
     """Return the standard deviation of the members' heights, None if they are not mere noise."""
     height = primitive.heights(places.position[members])
-    if (np.abs(height) <= _INLIER * places.exact).mean() >= _HELD:
+    if (np.abs(height) <= _INLIER * places.exact).mean() >= _HELD_EXACTLY:
         # What lies beyond a seam leaves by more than rounding at once.
         return places.exact
     freedom = max(len(members) - primitive.kind.value, 1)
