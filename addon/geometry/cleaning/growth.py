@@ -26,6 +26,8 @@ _ROUNDS = 16
 _HELD, _RESTS = 0.8, 0.01
 #: Of a seed on an exact mesh half is enough: no chance puts a dozen points on a surface.
 _HELD_EXACTLY = 0.5
+#: Most of a seed on an exact mesh that may lie off by more than rounding, but hardly.
+_BETWEEN = 0.02
 #: Standard deviations of the heights within which a point lies on a piece.
 _INLIER = 3.5
 
@@ -182,7 +184,9 @@ def _fitted(
 def _noise_left(places: Places, members: Indices, primitive: Primitive) -> float | None:
     """Return the standard deviation of the members' heights, None if they are not mere noise."""
     height = primitive.heights(places.position[members])
-    if (np.abs(height) <= _INLIER * places.exact).mean() >= _HELD_EXACTLY:
+    is_exact = np.abs(height) <= _INLIER * places.exact
+    is_between = ~is_exact & (np.abs(height) <= places.least)
+    if is_exact.mean() >= _HELD_EXACTLY and is_between.mean() <= _BETWEEN:
         # What lies beyond a seam leaves by more than rounding at once.
         return places.exact
     freedom = max(len(members) - primitive.kind.value, 1)
