@@ -19,8 +19,9 @@ from ..types import Flags, Floats, Indices
 #: many edges, joins nothing.
 _NECK, _NECK_EDGES = 0.5, 2.5
 
-#: The same share where the parts are known to be different surfaces.
-_NECK_OF_PIECES = 0.6
+#: The same share where the parts are known to be different surfaces, more than so many edges wide:
+#: outlines that zigzag make parts seem narrower than they are, but a row of faces may go on in one.
+_NECK_OF_PIECES, _WIDE_EDGES = 0.7, 2.0
 
 
 def split_at_necks(
@@ -78,7 +79,8 @@ def split_at_necks(
     lies_on[part[core]] = face_piece[core]
     one, other = lies_on[names[pairs]].T
     is_neck = (neck < _NECK * narrow) & (neck < _NECK_EDGES * edge)
-    is_neck |= (neck < _NECK_OF_PIECES * narrow) & (one != other) & (one >= 0) & (other >= 0)
+    share = np.where(narrow > _WIDE_EDGES * edge, _NECK_OF_PIECES, _NECK)
+    is_neck |= (neck < share * narrow) & (one != other) & (one >= 0) & (other >= 0)
     is_neck &= smaller >= min_area
     tied = pairs[~is_neck]
     if is_locked is not None:
