@@ -177,7 +177,7 @@ def test_confidence_falls_towards_umbilics() -> None:
     assert confidence[away > 0.5].min() > 0.9
 
 
-def areas_of(positions: np.ndarray, polygons: np.ndarray) -> LineField:
+def areas_of(positions: np.ndarray, polygons: np.ndarray | list[list[int]]) -> LineField:
     """Return the field of polygons with the usual crease angle."""
     surface = build_surface(mesh_from_polygons(positions, polygons))
     return build_line_field(surface, estimate_curvature(surface))
@@ -189,6 +189,36 @@ def test_every_facet_of_an_icosahedron_is_an_area() -> None:
     umbilics = areas_of(sample.shape.position, sample.polygons).umbilics
     assert umbilics.area_size == pytest.approx([np.sqrt(3.0) / 4.0 * 1.0514622**2] * 20, rel=1e-6)
     assert umbilics.count == 0
+    # Together with the creases between them they are the whole sphere.
+    assert sorted(umbilics.area_index) == [0.0] * 19 + [2.0]
+
+
+@pytest.mark.parametrize(("lids", "euler"), [(True, 2.0), (False, None)])
+def test_indices_at_creases_add_up_where_the_surface_is_closed(
+    lids: bool, euler: float | None
+) -> None:
+    """A tin: a cylinder with flat lids, two creases; without lids it has rims instead."""
+    around, along = 48, 12
+    angle = 2 * np.pi * np.arange(around) / around
+    height = np.linspace(0.0, 1.0, along)
+    ring = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    points = np.concatenate([np.c_[ring, np.full(around, z)] for z in height])
+    corner = np.arange(around)
+    beside = (corner + 1) % around
+    sides = [
+        np.stack([corner, beside, beside + around, corner + around], axis=1) + row * around
+        for row in range(along - 1)
+    ]
+    polygons = np.concatenate(sides).tolist()
+    if lids:
+        polygons += [corner[::-1].tolist(), (corner + (along - 1) * around).tolist()]
+    umbilics = areas_of(points, polygons).umbilics
+    assert umbilics.count == 0
+    if euler is None:
+        assert umbilics.total_index == 0.0
+    else:
+        assert umbilics.area_size == pytest.approx([0.5 * around * np.sin(2 * np.pi / around)] * 2)
+        assert umbilics.total_index == euler
 
 
 def test_scraps_between_creases_are_one_area() -> None:

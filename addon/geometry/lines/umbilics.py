@@ -4,8 +4,8 @@
 
 The index is how often the principal directions turn while one walks around. On a closed surface
 the indices of all points and areas add up to its Euler characteristic, exactly, because the turns
-along sides cancel and what is left of the angles is the total curvature. On a surface with rims or
-creases every smooth piece has that sum less the turns of the directions along its outline.
+along sides cancel and what is left of the angles is the total curvature. On a surface with rims
+every smooth piece has that sum less the turns of the directions along its outline.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from ..types import Flags, Floats, Indices
 from .areas import Areas, extent
 from .calming import half_indices
 from .field import WEAK, DirectionField
+from .joint_index import with_joint_index
 from .linear_zero import Zeros, find_zeros
 from .transport import Transport
 
@@ -67,7 +68,8 @@ class Umbilics:
     area_index : (a,) float64
         Index of each area: the turn of the directions around it, or 0 for an area that reaches a
         rim or a crease, around which one cannot walk. Of these all that are too small for a line
-        are one area together: on a mesh with creases everywhere there are hundreds.
+        are one area together: on a mesh with creases everywhere there are hundreds. On a closed
+        surface the largest area at a crease has the index of them all; see `with_joint_index`.
     area_size : (a,) float64
         In m².
     """
@@ -89,7 +91,10 @@ class Umbilics:
 
     @property
     def total_index(self) -> float:
-        """Sum of the indices; the Euler characteristic of a closed surface without creases."""
+        """Sum of the indices; the Euler characteristic of a closed surface.
+
+        But not where there are creases and no area reaches one.
+        """
         return float(self.index.sum() + self.area_index.sum())
 
 
@@ -113,13 +118,21 @@ def find_umbilics(field: DirectionField, transport: Transport, areas: Areas) -> 
     area_index = sum_by_group(triangle_area[is_inside], index[is_inside], area_count)
     # Around an area that reaches the outline of the surface one cannot walk.
     is_open = is_inside & (mesh.neighbor < 0).any(axis=1)
-    area_index[triangle_area[is_open]] = 0.0
+    reaches = np.zeros(area_count, dtype=np.bool_)
+    reaches[triangle_area[is_open]] = True
+    area_index[reaches] = 0.0
     area_size = 0.5 * sum_by_group(
         triangle_area[is_inside], mesh.double_area[is_inside], area_count
     )
     half = np.rint(2.0 * index).astype(np.int64)
     half[is_inside] = 0
     zeros = _grouped(field, find_zeros(field, np.flatnonzero(half)), half, areas.zone)
+    area_index = with_joint_index(
+        field.surface.sector_vertex[mesh.triangles],
+        (zeros.triangle, zeros.index),
+        (triangle_area, 0.5 * np.round(2.0 * area_index), area_size),
+        reaches,
+    )
     return Umbilics(
         position=mesh.points(zeros.triangle, zeros.barycentric),
         triangle=zeros.triangle,
@@ -128,7 +141,7 @@ def find_umbilics(field: DirectionField, transport: Transport, areas: Areas) -> 
         kind=_kinds(zeros),
         rays=zeros.rays,
         triangle_area=triangle_area,
-        area_index=0.5 * np.round(2.0 * area_index),
+        area_index=area_index,
         area_size=area_size,
     )
 
