@@ -71,25 +71,27 @@ def connect_regions(
     is_defined = face_class != SurfaceClass.UNDEFINED
     names, compact = np.unique(label[is_defined], return_inverse=True)
     count = len(names)
-    area = sum_by_group(compact.reshape(-1), surface.polygon_area[is_defined], count)
-    order = np.argsort(-_rounded(area), kind="stable")
-    rank = np.empty(count, dtype=np.int64)
-    rank[order] = np.arange(count)
+    region = compact.reshape(-1)
+    area = sum_by_group(region, surface.polygon_area[is_defined], count)
     face_region = np.full(len(face_class), -1, dtype=np.int64)
-    face_region[is_defined] = rank[compact.reshape(-1)]
+    face_region[is_defined] = region
     region_class = np.empty(count, dtype=np.int64)
-    region_class[face_region[is_defined]] = face_class[is_defined]
-    return Regions(
+    region_class[region] = face_class[is_defined]
+    by_first_polygon = Regions(
         face_region=face_region,
         region_class=region_class,
-        area=area[order],
-        face_count=np.bincount(face_region[is_defined], minlength=count),
+        area=area,
+        face_count=np.bincount(region, minlength=count),
         boundary_length=_boundary_lengths(surface, face_region, count),
     )
+    return with_areas(by_first_polygon, area)
 
 
 def with_areas(regions: Regions, area: Floats) -> Regions:
-    """Return regions with other areas, (r,) float64 in m², numbered anew by falling area."""
+    """Return regions with areas, (r,) float64 in m², numbered by falling area.
+
+    Equal areas keep their order.
+    """
     order = np.argsort(-_rounded(area), kind="stable")
     rank = np.empty(regions.count + 1, dtype=np.int64)
     rank[order] = np.arange(regions.count)
