@@ -15,9 +15,12 @@ import pytest
 from architectural_curvature.addon.geometry.analysis import Analysis, analyze
 from architectural_curvature.addon.geometry.classification import SurfaceClass
 from architectural_curvature.addon.geometry.criterion import resolve_criterion
+from architectural_curvature.addon.geometry.lines.layout import trace_evenly
+from architectural_curvature.addon.geometry.lines.simplification import simplified
 from architectural_curvature.addon.geometry.mesh import PolygonMesh, mesh_from_polygons
 from architectural_curvature.addon.geometry.segmentation import Segmentation, segment
 from architectural_curvature.addon.geometry.settings import AnalysisSettings, SegmentationSettings
+from line_fields import field_of
 
 VARIABLE = "ARCHITECTURAL_CURVATURE_MODELS"
 
@@ -72,6 +75,21 @@ def test_every_hexagon_of_the_arch_has_a_class() -> None:
     assert (found.face_class >= SurfaceClass.FLAT).all()
     # A shell of positive curvature.
     assert not (found.face_class == SurfaceClass.HYPERBOLIC).any()
+
+
+@pytest.mark.parametrize(("name", "parts"), [("elephant_with_holes", 80), ("bunny_closed_38k", 20)])
+def test_no_line_turns_sideways(name: str, parts: int) -> None:
+    """Folds as narrow as a triangle, and bumps with umbilics everywhere."""
+    lines = field_of(_model(name))
+    spacing = lines.field.surface.mesh.diagonal / parts
+    traced = simplified(trace_evenly(lines, spacing), 0.002 * spacing)
+    move = np.diff(traced.points, axis=0)
+    turn = np.einsum("ij,ij->i", move[1:], move[:-1])
+    length = np.linalg.norm(move, axis=1)
+    line = traced.point_line
+    inside = (line[2:] == line[:-2]) & (length[1:] * length[:-1] > 0.0)
+    cosine = turn[inside] / (length[1:] * length[:-1])[inside]
+    assert cosine.min() > np.cos(np.radians(60.0))
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from architectural_curvature.addon.geometry.curvature import estimate_curvature
@@ -14,6 +16,7 @@ from architectural_curvature.addon.geometry.lines.holes import hole_seeds
 from architectural_curvature.addon.geometry.lines.layout import trace_evenly
 from architectural_curvature.addon.geometry.lines.lines import LineEnd
 from architectural_curvature.addon.geometry.lines.samples import Trail, take_samples
+from architectural_curvature.addon.geometry.lines.simplification import simplified
 from architectural_curvature.addon.geometry.lines.tracer import LineField, build_line_field
 from architectural_curvature.addon.geometry.mesh import mesh_from_polygons
 from architectural_curvature.addon.geometry.surface import build_surface
@@ -129,14 +132,18 @@ def test_lines_on_both_sides_of_a_pipe_keep_half_a_spacing() -> None:
     assert apart[~np.eye(along.count, dtype=np.bool_)].min() > 0.5
 
 
-@pytest.mark.parametrize("turn", [0.5, 1.4])
-def test_lines_end_before_a_sharp_turn(turn: float) -> None:
-    """Directions turn by an angle within two edges, where x is 0: by 29 degrees lines follow."""
+@pytest.mark.parametrize(("turn", "back"), [(0.5, 0.0), (1.4, 0.0), (1.1, 0.6)])
+def test_lines_end_before_a_sharp_turn(turn: float, back: float) -> None:
+    """Directions turn by an angle within two edges, where x is 0: by 29 degrees lines follow.
+
+    They may have turned the other way just before, which does not make it less sharp.
+    """
     shell = Patch(lambda u, v: (u, v, -0.05 * u * u - 0.01 * v * v), (-1.0, 1.0), (-1.0, 1.0))
     lines = field_on(sample_patch(shell, "regular", (50, 50)))
     field = lines.field
     edge, spacing = 2.0 / 50.0, 0.9
-    angle = turn * np.clip(0.5 + 0.5 * field.mesh.position[:, 0] / edge, 0.0, 1.0)
+    place = field.mesh.position[:, 0] / edge
+    angle = turn * np.clip(0.5 + 0.5 * place, 0.0, 1.0) - back * np.clip(2.5 + place, 0.0, 1.0)
     direction = np.stack([np.cos(angle), np.sin(angle), np.zeros(len(angle))], axis=1)
     axes = tangent_frame(field.normal)
     along, across = (np.einsum("ij,ij->i", direction, axis) for axis in axes)
@@ -144,7 +151,7 @@ def test_lines_end_before_a_sharp_turn(turn: float) -> None:
     traced = trace_evenly(turned, spacing, (Family.FIRST,))
     x = traced.points[:, 0]
     first = traced.start[:-1]
-    goes_over = np.minimum.reduceat(x, first) < -2.0 * edge
+    goes_over = np.minimum.reduceat(x, first) < -3.0 * edge
     goes_over &= np.maximum.reduceat(x, first) > 2.0 * edge
     ends_there = (traced.ends == LineEnd.FOLD).any(axis=1)
     is_sharp = turn > 0.25 * np.pi
@@ -152,6 +159,28 @@ def test_lines_end_before_a_sharp_turn(turn: float) -> None:
     assert ends_there.any() == is_sharp
     ends = traced.points[np.stack([traced.start[:-1], traced.start[1:] - 1], axis=1)]
     assert np.abs(ends[traced.ends == LineEnd.FOLD][:, 0]).max(initial=0.0) < 2.0 * edge
+
+
+def test_lines_do_not_follow_normals_that_are_none_of_their_triangles() -> None:
+    """Between narrow folds a fit may see a triangle from behind or from its edge."""
+    shell = Patch(lambda u, v: (u, v, -0.2 * u * u - 0.02 * v * v), (-1.0, 1.0), (-1.0, 1.0))
+    sample = sample_patch(shell, "irregular", (40, 40))
+    surface = build_surface(mesh_from_polygons(sample.shape.position, sample.polygons))
+    curvature = estimate_curvature(surface)
+    chance = np.random.default_rng(2)
+    astray = chance.choice(len(curvature.normal), len(curvature.normal) // 50, replace=False)
+    normal = curvature.normal.copy()
+    normal[astray] = -0.7 * normal[astray] + [[0.6, 0.4, 0.0]]
+    normal[astray] /= np.linalg.norm(normal[astray], axis=1)[:, None]
+    lines = build_line_field(surface, replace(curvature, normal=normal))
+    traced = simplified(trace_evenly(lines, 0.1), 0.002 * 0.1)
+    assert not (traced.ends == LineEnd.FOLD).any()
+    move = np.diff(traced.points, axis=0)
+    move /= np.linalg.norm(move, axis=1)[:, None]
+    inside = np.diff(traced.point_line, n=2) == 0
+    inside &= np.diff(traced.point_line)[1:] == 0
+    cosine = np.einsum("ij,ij->i", move[1:], move[:-1])[inside]
+    assert cosine.min() > np.cos(np.radians(20.0))
 
 
 def test_a_hole_is_found_wherever_it_is_in_large_triangles() -> None:

@@ -73,8 +73,6 @@ class Arms:
     turned : (2n,) float64
         Way in meters at which an arm came back beside its own line: there it ends, if the line
         does not close.
-    bend : (2n,) float64
-        By how much the arm has turned to its left lately, in radians.
     """
 
     end: Indices
@@ -82,7 +80,6 @@ class Arms:
     is_removed: Flags
     closing: Flags
     turned: Floats
-    bend: Floats
 
 
 @dataclass(frozen=True)

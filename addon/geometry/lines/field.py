@@ -17,6 +17,7 @@ import numpy as np
 
 from ..curvature import Curvature
 from ..engine.normals import tangent_frame
+from ..groups import sum_by_group
 from ..surface import Surface
 from ..types import Complexes, Flags, Floats, Indices
 from .triangulation import Triangulation, triangulate
@@ -24,7 +25,8 @@ from .vectors import cross, dot, unit
 
 #: Cosine between a triangle and the interpolated normal that is taken where the mesh folds over.
 STEEPEST = 0.1
-
+#: The same between a fitted normal and the triangles around a sector where it is none of theirs.
+ASTRAY = 0.5
 
 #: Strength times the diagonal that counts as none by default: over a twentieth of the diagonal the
 #: sagittas along both directions differ by less than 2e-5 of the diagonal.
@@ -186,22 +188,42 @@ def build_direction_field(
     -------
     DirectionField
     """
-    first, second = tangent_frame(curvature.normal)
+    mesh = triangulate(surface)
+    normal, is_astray = _normals(mesh, curvature.normal)
+    first, second = tangent_frame(normal)
     along = np.einsum("ij,ij->i", curvature.direction_1, first)
     across = np.einsum("ij,ij->i", curvature.direction_1, second)
     deviator = 0.5 * (curvature.k1 - curvature.k2) * (along + 1j * across) ** 2
-    mean = curvature.mean
+    deviator[is_astray] = 0.0
+    mean = np.where(is_astray, 0.0, curvature.mean)
     return DirectionField(
         surface=surface,
-        mesh=triangulate(surface),
-        normal=curvature.normal,
+        mesh=mesh,
+        normal=normal,
         deviator=deviator,
         mean=mean,
         uncertainty=_CALIBRATION * curvature.uncertainty,
-        is_defined=curvature.is_defined,
+        is_defined=curvature.is_defined & ~is_astray,
         tolerance=tolerance or _UMBILIC / max(surface.mesh.diagonal, 1e-300),
-        packed=_pack(curvature.normal, deviator, mean),
+        packed=_pack(normal, deviator, mean),
     )
+
+
+def _normals(mesh: Triangulation, fitted: Floats) -> tuple[Floats, Flags]:
+    """Return the normals of sectors, and where the fitted ones say nothing about them, (s,) bool.
+
+    Between folds as narrow as a triangle a fit takes in what is beyond them: it may see the
+    triangles around a sector from their edge, or from behind.
+    """
+    parts = np.repeat(mesh.frame[:, 2] * mesh.double_area[:, None], 3, axis=0)
+    own = unit(
+        np.stack(
+            [sum_by_group(mesh.triangles.ravel(), part, mesh.sector_count) for part in parts.T],
+            axis=1,
+        )
+    )
+    is_astray = (dot(fitted, own) < ASTRAY) & fitted.any(axis=1) & own.any(axis=1)
+    return np.where(is_astray[:, None], own, fitted), is_astray
 
 
 def _pack(normal: Floats, deviator: Complexes, mean: Floats) -> Floats:

@@ -114,7 +114,6 @@ class PointLines:
             is_removed=np.zeros(number // 2, dtype=np.bool_),
             closing=np.zeros(number // 2, dtype=np.bool_),
             turned=np.full(number, np.inf),
-            bend=np.zeros(number),
         )
         self._ground, self._rules = tracer.ground, tracer.rules
         self._reach = STEP * tracer.rules.spacing

@@ -25,7 +25,7 @@ from .lines import LineEnd
 from .samples import Samples, Trail, joined, no_trail, take_samples
 from .seeds import Seeds
 from .steps import follow, start_walkers
-from .turning import end_at_seeds, end_at_turns
+from .turning import Turns, end_at_seeds
 from .umbilics import Umbilics
 from .vectors import dot
 from .watch import Watch
@@ -75,15 +75,16 @@ def trace(
         is_removed=np.zeros(len(seeds), dtype=np.bool_),
         closing=np.zeros(len(seeds), dtype=np.bool_),
         turned=np.full(len(arm), np.inf),
-        bend=np.zeros(len(arm)),
     )
     start, lowest = take_samples(field, first), np.zeros(len(arm))
     parts, sparse = [first, _at_umbilics(field, around.umbilics, seeds, tangent)], [first]
     looked, faced, count = np.zeros(len(arm)), heading.copy(), 0
     watch = Watch(field, placed, rules, state)
+    # A line out of an umbilic comes along its ray, to which the field may not keep.
+    turns = Turns(field, rules.spacing, first.triangle, _arriving(seeds, heading))
     while len(active := np.flatnonzero(state.end < 0)):
         moving = walkers.chosen(active)
-        before, normal = moving.heading, field.mesh.frame[moving.triangle, 2]
+        entry = moving.barycentric
         way, side = follow(field, moving, np.full(len(active), STEP * rules.spacing))
         arc[active] += way
         new = Trail(
@@ -101,7 +102,7 @@ def trace(
         sparse.append(new.chosen(is_due))
         # Without a spacing of their own lines follow every kink: within an edge none is sharp.
         if rules.competes:
-            end_at_turns(normal, before, way, new, state, rules)
+            turns.look(entry, way, new, state)
         end_at_seeds(field, start, lowest, new, state, rules)
         end_at_umbilics(field, around, new, state)
         end_at_sides(field, around, moving, side, state, active)
@@ -112,6 +113,14 @@ def trace(
             watch.look(joined(sparse), arc)
             sparse = [no_trail()]
     return state, take_samples(field, joined(parts))
+
+
+def _arriving(seeds: Seeds, heading: Floats) -> Floats:
+    """Return the directions in which arms come to their seeds, (2n, 3)."""
+    arriving = heading.copy()
+    rays = np.flatnonzero(seeds.umbilic >= 0)
+    arriving[2 * rays] = seeds.heading[rays]
+    return arriving
 
 
 def _at_umbilics(field: DirectionField, umbilics: Umbilics, seeds: Seeds, tangent: Floats) -> Trail:
