@@ -15,6 +15,7 @@ import pytest
 from architectural_curvature.addon.geometry.analysis import Analysis, analyze
 from architectural_curvature.addon.geometry.classification import SurfaceClass
 from architectural_curvature.addon.geometry.criterion import resolve_criterion
+from architectural_curvature.addon.geometry.lines.field import PRINCIPAL
 from architectural_curvature.addon.geometry.lines.layout import trace_evenly
 from architectural_curvature.addon.geometry.lines.simplification import simplified
 from architectural_curvature.addon.geometry.mesh import PolygonMesh, mesh_from_polygons
@@ -90,6 +91,14 @@ def test_no_line_turns_sideways(name: str, parts: int) -> None:
     inside = (line[2:] == line[:-2]) & (length[1:] * length[:-1] > 0.0)
     cosine = turn[inside] / (length[1:] * length[:-1])[inside]
     assert cosine.min() > np.cos(np.radians(60.0))
+
+
+def test_both_families_of_a_hypar_are_as_dense() -> None:
+    """In its corners lines are short, and have none straight beside them."""
+    lines = field_of(_model("hypar_quads"))
+    traced = trace_evenly(lines, lines.field.surface.mesh.diagonal / 40.0)
+    first, second = (int((traced.family == family).sum()) for family in PRINCIPAL)
+    assert abs(first - second) < 0.3 * first
 
 
 @pytest.mark.parametrize(

@@ -153,7 +153,7 @@ def _meetings(field: DirectionField, state: Arms, samples: Samples, rules: Rules
     is_open = state.closing & ~state.is_removed
     is_open[found.line[is_closed]] = False
     _end_open(state, forward, one, far, np.flatnonzero(is_open))
-    # One that reached an umbilic or a neighbor in the step in which it closed is closed all the same.
+    # Who reached an umbilic or a neighbor in the step in which it closed is closed all the same.
     state.end[2 * found.line[is_closed]] = LineEnd.CLOSED
     state.end[2 * found.line[is_closed] + 1] = LineEnd.CLOSED
     state.cut[2 * found.line[is_closed]] = found.forward[is_closed]

@@ -14,7 +14,7 @@ from .samples import close_pairs
 from .seeding import course, samples_along
 from .seeds import Seeds, make_seeds
 from .tracer import LineField
-from .vectors import dot
+from .vectors import dot, unit
 
 #: The family that crosses each one.
 ACROSS = {
@@ -26,10 +26,16 @@ ACROSS = {
 #: Lines no closer and no farther apart than this, over the spacing, neither end beside each other
 #: nor leave room for others.
 _CLOSEST, _FARTHEST = 0.53, 1.65
+#: The same of lines that all close, which are worth it: around a fat torus none could otherwise.
+_RINGS_CLOSEST, _RINGS_FARTHEST = 0.33, 1.95
+#: Share of the places along lines that are no farther apart than what counts as the farthest.
+_ALL = 0.98
 #: Most of the way between neighbors, over their distance, that may lead along them.
 _BESIDE = 0.5
 #: How far beside a line its neighbors are looked for, in spacings.
-_REACH = 5.0
+_REACH = 7.0
+#: Least number of places on each line.
+_PLACES = 12
 #: Smallest strength, over that of the typical sector, where guides start.
 _STRONG = 0.5
 
@@ -77,7 +83,9 @@ def measured_seeds(
     field: DirectionField,
     guides: CurvatureLines,
     families: tuple[Family, ...],
-    spacing: dict[int, float],
+    spacing: float,
+    scale: dict[int, float],
+    fewest: int = 1,
 ) -> Seeds:
     """Return seeds at even distances along guides.
 
@@ -86,17 +94,21 @@ def measured_seeds(
     field : DirectionField
     guides : CurvatureLines
     families : tuple of Family
-    spacing : dict
-        Distance along guides in meters, by their family; what comes closest to it without a rest
-        is taken.
+    spacing : float
+        Distance along guides in meters; what comes closest to it without a rest is taken.
+    scale : dict
+        By how much to scale that, by the family of the guides.
+    fewest : int
+        Least number of seeds along a guide.
     """
     wanted = np.isin(guides.family, [int(ACROSS[family]) for family in families])
     chosen = guides.chosen(np.flatnonzero(wanted))
     line = chosen.point_line
     arc, _ = course(chosen)
     length = chosen.length
-    aim = np.array([spacing[int(family)] for family in chosen.family])
-    number = np.maximum(1, np.round(length / aim))
+    factor = np.array([scale[int(family)] for family in chosen.family])
+    number = np.maximum(1, np.round(length / spacing))
+    number = np.maximum(fewest, np.round(number / factor))
     # On a guide from rim to rim the outer lines keep half a spacing to the rims.
     margin = np.where(chosen.is_closed, 0.0, 0.5)[line]
     pitch = (length / number)[line]
@@ -121,7 +133,9 @@ def measured_seeds(
     return make_seeds(triangle, barycentric, across[chosen.family[line[here]]])
 
 
-def balance(lines: LineField, crossing: CurvatureLines, spacing: float) -> float:
+def balance(
+    lines: LineField, crossing: CurvatureLines, spacing: float, share: float
+) -> tuple[float, bool]:
     """Return by how much to scale the distances of lines so that they never are close nor far.
 
     Parameters
@@ -131,27 +145,47 @@ def balance(lines: LineField, crossing: CurvatureLines, spacing: float) -> float
         Lines of one family side by side, none of which has ended beside another.
     spacing : float
         Between lines, in meters.
+    share : float
+        Distance along guides at which they start, over that which the scale is for.
 
     Returns
     -------
-    float
+    scale : float
         Lines that are at places closer than they may be, or so far apart that others would start
         between them, can do without both where they are scaled by this; 1 where they have to end
         or to start somewhere.
+    is_whole : bool
+        Whether they all close when they are scaled, and none belongs between them.
     """
-    along = samples_along(lines.field, crossing, 0.5 * spacing, 0)
-    sample, other = close_pairs(along, along, spacing, _REACH * spacing, 48)
+    pitch = share * spacing
+    # On rings of a thin pipe there must be some places beside each other.
+    step = min(0.5 * pitch, float(crossing.length.min(initial=np.inf)) / _PLACES)
+    along = samples_along(lines.field, crossing, step, 0)
+    sample, other = close_pairs(along, along, pitch, _REACH * pitch, 64)
     apart = along.position[other] - along.position[sample]
     distance = np.sqrt(dot(apart, apart))
     is_beside = along.line[sample] != along.line[other]
     is_beside &= np.abs(dot(apart, along.heading[sample])) < _BESIDE * distance
-    nearest = np.full(len(along), np.inf)
-    np.minimum.at(nearest, sample[is_beside], distance[is_beside])
-    nearest = nearest[np.isfinite(nearest)]
-    if not len(nearest):
-        return 1.0
-    least, most = float(nearest.min()) / spacing, float(nearest.max()) / spacing
-    is_even = least >= _CLOSEST and most <= _FARTHEST
-    if is_even or most / max(least, 1e-9) > _FARTHEST / _CLOSEST:
-        return 1.0
-    return float(np.sqrt(_CLOSEST * _FARTHEST / (least * most)))
+    sample, other, distance = sample[is_beside], other[is_beside], distance[is_beside]
+    # The way around from one to the other, as on the circle that has both normals.
+    cosine = dot(unit(along.normal[sample]), unit(along.normal[other]))
+    half = np.sqrt(np.clip(0.5 - 0.5 * cosine, 0.0, 1.0))
+    around = distance * np.arcsin(half) / np.maximum(half, 1e-9)
+    around[half < 1e-9] = distance[half < 1e-9]
+    nearest, farther = np.full(len(along), np.inf), np.full(len(along), np.inf)
+    np.minimum.at(nearest, sample, distance)
+    np.minimum.at(farther, sample, around)
+    is_closed = crossing.count > 0 and bool(crossing.is_closed.all())
+    if not len(sample):
+        return 1.0, is_closed
+    least = float(nearest.min()) / pitch
+    most = float(np.quantile(farther[np.isfinite(farther)], _ALL)) / pitch
+    most = max(most, least)
+    if least >= _CLOSEST and most <= _FARTHEST:
+        return 1.0, is_closed
+    spread = most / max(least, 1e-9)
+    if spread <= _FARTHEST / _CLOSEST:
+        return float(np.sqrt(_CLOSEST * _FARTHEST / (least * most))), is_closed
+    if is_closed and spread <= _RINGS_FARTHEST / _RINGS_CLOSEST:
+        return _RINGS_FARTHEST / most, True
+    return 1.0, False

@@ -14,7 +14,7 @@ References
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -27,7 +27,7 @@ from .field import PRINCIPAL, Family
 from .guides import ACROSS, balance, guide_seeds, measured_seeds
 from .holes import hole_seeds
 from .lines import CurvatureLines, joined_lines, no_lines
-from .samples import Samples, distances, joined, seed_samples
+from .samples import Samples, are_between, distances, joined, seed_samples
 from .seeding import gap_seeds, ray_seeds, samples_along
 from .seeds import Seeds
 from .tracer import LineField, usable
@@ -35,10 +35,14 @@ from .tracing import trace
 
 #: Share of the spacing at which a line ends beside another one.
 _NEAREST = 0.5
+#: The same of lines that all close, at distances chosen so that they can.
+_NEAREST_RING = 0.3
 #: Seeds closer than this share of the spacing to a line are none.
 _FREE = 0.85
 #: Those that go on from a line are none where another one is this close.
 _BESIDE = 0.2
+#: Least number of lines across a guide from which to see how far apart they are.
+_CROSSING = 12
 #: Shorter lines than this many spacings are left out; a tenth of it from rim to rim.
 _SHORTEST = 1.0
 #: The same in holes that would stay without.
@@ -54,7 +58,7 @@ class _Layout:
     """Lines placed so far, their samples, and how many of them went on at seams.
 
     Of every shortest length, the seeds tried with it: of a longer line there may be no room where a
-    shorter one still has some.
+    shorter one still has some. Samples of lines that all close, between which none belongs.
     """
 
     lines: LineField
@@ -63,17 +67,19 @@ class _Layout:
     placed: CurvatureLines
     samples: Samples
     tried: dict[float, Samples]
+    rings: Samples
     gone_on: int = 0
 
-    def add(self, seeds: Seeds, shortest: float = _SHORTEST) -> int:
+    def add(self, seeds: Seeds, shortest: float = _SHORTEST, rules: Rules | None = None) -> int:
         """Trace seeds against what is placed; return the number of new lines."""
         seeds = usable(self.lines, seeds)
         if not len(seeds):
             return 0
-        spacing = self.rules.spacing
+        rules = rules or self.rules
+        spacing = rules.spacing
         field = self.lines.field
-        state, samples = trace(field, self.around, seeds, self.samples, self.rules)
-        new = assemble(field, state, samples, self.rules, shortest * spacing)
+        state, samples = trace(field, self.around, seeds, self.samples, rules)
+        new = assemble(field, state, samples, rules, shortest * spacing)
         # Who gave way to a line that is placed now may still have room beside it.
         is_told = (samples.arc == 0.0) & ~state.is_removed[samples.line]
         before = self.tried.get(shortest, self.lines.no_samples)
@@ -87,6 +93,16 @@ class _Layout:
             )
             self.placed = joined_lines(self.placed, new)
         return new.count
+
+    def add_rings(self, seeds: Seeds) -> None:
+        """Trace lines that all close, and leave the gaps between them as they are."""
+        before = self.placed.count
+        nearest = _NEAREST_RING * self.rules.spacing
+        self.add(seeds, rules=replace(self.rules, nearest=nearest))
+        new = self.placed.chosen(np.arange(before, self.placed.count))
+        step = 0.25 * self.rules.spacing
+        found = samples_along(self.lines.field, new, step, before)
+        self.rings = joined([self.rings, found.chosen(new.is_closed[found.line - before])])
 
     def go_on(self, families: tuple[Family, ...]) -> None:
         """Go on beyond seams from the lines that were not there the last time."""
@@ -103,6 +119,7 @@ class _Layout:
         found = seed_samples(self.lines.field, seeds)
         spacing = self.rules.spacing
         is_free = distances(found, self.samples, spacing, share * spacing) == np.inf
+        is_free[is_free] = ~are_between(found.chosen(is_free), self.rings, spacing)
         is_new = distances(found, tried, spacing, 0.3 * spacing) == np.inf
         return seeds.chosen(is_free & is_new)
 
@@ -146,6 +163,7 @@ def trace_evenly(
         placed=no_lines(),
         samples=lines.no_samples,
         tried={},
+        rings=lines.no_samples,
     )
     layout.add(ray_seeds(lines, families, spacing))
     seeds = guide_seeds(lines, families)
@@ -153,8 +171,11 @@ def trace_evenly(
     is_first = seeds.triangle == seeds.triangle[:1]
     for part in (is_first, ~is_first):
         guides = _alone(layout, seeds.chosen(part))
-        steps = _steps(layout, guides, families)
-        layout.add(layout.fresh(measured_seeds(lines.field, guides, families, steps)))
+        scale, whole = _scales(layout, guides, families)
+        found = layout.fresh(measured_seeds(lines.field, guides, families, spacing, scale))
+        is_ring = np.isin(found.family, whole)
+        layout.add_rings(found.chosen(is_ring))
+        layout.add(found.chosen(~is_ring))
         layout.go_on(families)
     for turn in range(_ROUNDS):
         if on_progress:
@@ -180,21 +201,32 @@ def _alone(layout: _Layout, seeds: Seeds) -> CurvatureLines:
     return assemble(lines.field, state, samples, alone, layout.rules.spacing)
 
 
-def _steps(
+def _scales(
     layout: _Layout, guides: CurvatureLines, families: tuple[Family, ...]
-) -> dict[int, float]:
-    """Return the distances along guides of each family at which lines start, in meters.
+) -> tuple[dict[int, float], list[int]]:
+    """Return by how much to scale the distances along guides, by their family.
 
-    That is the spacing where lines come close to each other or drift apart anyway. Where they do
-    neither by much, all can run from end to end, if they start closer where they are closest.
+    That is 1 where lines come close to each other or drift apart anyway. Where they do neither by
+    much, all can run from end to end, if they start closer where they are closest. Also which
+    families close then, all of their lines.
     """
     spacing = layout.rules.spacing
-    steps = {int(family): spacing for family in Family}
-    crossing = _alone(layout, measured_seeds(layout.lines.field, guides, families, steps))
+    scale = {int(family): 1.0 for family in Family}
+    plain, seeds = (
+        measured_seeds(layout.lines.field, guides, families, spacing, scale, fewest)
+        for fewest in (1, _CROSSING)
+    )
+    crossing = _alone(layout, seeds)
+    whole: list[int] = []
     for family in families:
         own = crossing.chosen(np.flatnonzero(crossing.family == family))
-        steps[int(ACROSS[family])] = spacing * balance(layout.lines, own, spacing)
-    return steps
+        number = int((plain.family == family).sum())
+        # A single line along a pipe has no neighbor to keep a distance from.
+        if number > 1:
+            share = number / int((seeds.family == family).sum())
+            scale[int(ACROSS[family])], is_whole = balance(layout.lines, own, spacing, share)
+            whole += [int(family)] * is_whole
+    return scale, whole
 
 
 def _sorted(placed: CurvatureLines) -> CurvatureLines:

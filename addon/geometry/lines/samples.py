@@ -24,6 +24,9 @@ _SAME_SIDE = -0.5
 _NORMAL = 0.25
 #: Most samples among which the closest one is looked for.
 _CANDIDATES = 4
+#: Half of the widest gap between lines that all close, in spacings, and the cosine of the angle
+#: under which both are seen from a place between them.
+_GAP, _OPPOSITE = 1.25, -0.5
 #: Families count as positions this many spacings apart.
 _FAMILY = 1e3
 
@@ -163,6 +166,34 @@ def distances(samples: Samples, others: Samples, spacing: float, reach: float) -
     distance = np.full(len(samples), np.inf)
     np.minimum.at(distance, sample, np.where(away < reach, away, np.inf))
     return distance
+
+
+def are_between(samples: Samples, rings: Samples, spacing: float) -> Flags:
+    """Return the samples with one of two lines on either side of them, (p,) bool.
+
+    Parameters
+    ----------
+    samples : Samples
+    rings : Samples
+        Of the lines.
+    spacing : float
+        In meters. Lines farther away than somewhat more do not count.
+    """
+    sample, other, away = _searched(samples, rings, spacing, _GAP * spacing, 4 * _CANDIDATES)
+    is_close = away < _GAP * spacing
+    sample, other, away = sample[is_close], other[is_close], away[is_close]
+    first = np.lexsort((away, sample))
+    first = first[np.flatnonzero(np.diff(sample[first], prepend=-1))]
+    nearest = np.full(len(samples), -1, dtype=np.int64)
+    nearest[sample[first]] = other[first]
+    closest = nearest[sample]
+    one = rings.position[closest] - samples.position[sample]
+    two = rings.position[other] - samples.position[sample]
+    cosine = dot(unit(one), unit(two))
+    is_across = (cosine < _OPPOSITE) & (rings.line[closest] != rings.line[other])
+    found = np.zeros(len(samples), dtype=np.bool_)
+    found[sample[is_across]] = True
+    return found
 
 
 def _searched(

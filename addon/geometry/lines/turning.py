@@ -26,8 +26,9 @@ _SHORT = 1e-6
 class Turns:
     """Ends lines before they turn sharply: there the mesh does not show how they go on.
 
-    What counts is the way that they take on the surface. Where a mesh is folded its directions, seen
-    along normals that are hardly those of its triangles, may go straight on where the way does not.
+    What counts is the way that they take on the surface. Where a mesh is folded its directions,
+    seen along normals that are hardly those of its triangles, may go straight on where the way does
+    not.
 
     Parameters
     ----------
