@@ -221,6 +221,47 @@ def test_indices_at_creases_add_up_where_the_surface_is_closed(
         assert umbilics.total_index == euler
 
 
+def test_creases_without_an_area_have_the_index_that_is_missing() -> None:
+    """Two shells z = ±0.4 (1 - x² - y²), stretched to an oval, that meet in its sharp edge.
+
+    Neither has an umbilic: those of x²/a + y²/b = 2z are where x = 0 and y² = b (a - b), which for
+    a = 3.2 and b = 1.25 is beyond the edge.
+    """
+    around, along = 64, 12
+    angle = 2 * np.pi * np.arange(around) / around
+    radius = np.repeat(np.arange(1, along + 1) / along, around)
+    flat = radius[:, None] * np.tile(np.stack([np.cos(angle), np.sin(angle)], axis=1), (along, 1))
+    height = 0.4 * (1.0 - radius**2)
+    rim = radius == 1.0
+    stretch = np.array([1.6, 1.0, 1.0])
+    points = np.concatenate(
+        [
+            np.c_[flat, height] * stretch,
+            [[0.0, 0.0, 0.4]],
+            np.c_[flat, -height][~rim] * stretch,
+            [[0.0, 0.0, -0.4]],
+        ]
+    )
+    corner = np.arange(around)
+    beside = (corner + 1) % around
+    rings = np.concatenate(
+        [
+            np.stack([corner, corner + around, beside + around, beside], axis=1) + row * around
+            for row in range(along - 1)
+        ]
+    )
+    upper = rings.tolist() + np.stack([np.full(around, along * around), corner, beside], 1).tolist()
+    # The lower shell has the same corners, but for those at the edge.
+    other = np.arange(len(points))
+    other[: (along - 1) * around] += along * around + 1
+    other[along * around] = len(points) - 1
+    lower = [other[polygon[::-1]].tolist() for polygon in upper]
+    umbilics = areas_of(points, upper + lower).umbilics
+    assert umbilics.area_size.tolist() == [0.0]
+    assert umbilics.area_index.tolist() == [2.0 - umbilics.index.sum()]
+    assert umbilics.total_index == 2.0
+
+
 def test_scraps_between_creases_are_one_area() -> None:
     """Polygons that point to opposite sides make a crease of every edge between them.
 

@@ -20,8 +20,12 @@ def with_joint_index(
     points: tuple[Indices, Floats],
     areas: tuple[Indices, Floats, Floats],
     is_open: Flags,
-) -> Floats:
-    """Return the indices of areas, the joint one with the largest area at the creases.
+    has_outline: Flags,
+) -> tuple[Floats, Floats]:
+    """Return index and size of areas, the joint index with the largest area at the creases.
+
+    Where a component has creases but no area at any, the creases themselves are one more, of size
+    0, if directions turn along them.
 
     Parameters
     ----------
@@ -33,15 +37,17 @@ def with_joint_index(
         As in `Umbilics`.
     is_open : (a,) bool
         Areas that reach a crease or a rim, with the index 0.
+    has_outline : (t,) bool
+        Triangles with a side at a crease or a rim.
 
     Returns
     -------
-    (a,) float64
+    area_index, area_size : (a,) or longer float64
         Changed on closed components without edges of more than two triangles.
     """
     triangle_area, area_index, area_size = areas
-    if not is_open.any():
-        return area_index
+    if not has_outline.any():
+        return area_index, area_size
     vertex_count = int(triangles.max()) + 1
     ends = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
     keys, often = np.unique(ends.min(axis=1) * vertex_count + ends.max(axis=1), return_counts=True)
@@ -64,6 +70,9 @@ def with_joint_index(
     candidates = candidates[np.argsort(area_size[candidates], kind="stable")]
     largest = np.full(count, -1, dtype=np.int64)
     largest[of_area[candidates]] = candidates
+    rest = 0.5 * np.round(2.0 * rest)
     chosen = np.flatnonzero(largest >= 0)
-    result[largest[chosen]] = 0.5 * np.round(2.0 * rest[chosen])
-    return result
+    result[largest[chosen]] = rest[chosen]
+    is_creased = np.bincount(of_triangle, has_outline, count) > 0.0
+    alone = rest[is_closed & is_creased & (largest < 0) & (rest != 0.0)]
+    return np.concatenate([result, alone]), np.concatenate([area_size, np.zeros(len(alone))])

@@ -69,9 +69,10 @@ class Umbilics:
         Index of each area: the turn of the directions around it, or 0 for an area that reaches a
         rim or a crease, around which one cannot walk. Of these all that are too small for a line
         are one area together: on a mesh with creases everywhere there are hundreds. On a closed
-        surface the largest area at a crease has the index of them all; see `with_joint_index`.
+        surface the largest area at a crease has the index of them all, or one without triangles
+        for the creases themselves; see `with_joint_index`.
     area_size : (a,) float64
-        In m².
+        In m²; 0 for creases.
     """
 
     position: Floats
@@ -91,10 +92,7 @@ class Umbilics:
 
     @property
     def total_index(self) -> float:
-        """Sum of the indices; the Euler characteristic of a closed surface.
-
-        But not where there are creases and no area reaches one.
-        """
+        """Sum of the indices; the Euler characteristic of a closed surface."""
         return float(self.index.sum() + self.area_index.sum())
 
 
@@ -127,11 +125,12 @@ def find_umbilics(field: DirectionField, transport: Transport, areas: Areas) -> 
     half = np.rint(2.0 * index).astype(np.int64)
     half[is_inside] = 0
     zeros = _grouped(field, find_zeros(field, np.flatnonzero(half)), half, areas.zone)
-    area_index = with_joint_index(
+    area_index, area_size = with_joint_index(
         field.surface.sector_vertex[mesh.triangles],
         (zeros.triangle, zeros.index),
         (triangle_area, 0.5 * np.round(2.0 * area_index), area_size),
         reaches,
+        (mesh.neighbor < 0).any(axis=1),
     )
     return Umbilics(
         position=mesh.points(zeros.triangle, zeros.barycentric),
