@@ -81,6 +81,20 @@ def test_rings_of_a_thin_pipe_go_around_once(kind: str, around: float) -> None:
     assert (rings.length > 0.97 * around).all()
 
 
+def _torus(tube: float) -> Patch:
+    """Return a torus around a ring of radius 1."""
+    return Patch(
+        lambda u, v: (
+            (tube * cos(v) + 1.0) * cos(u),
+            (tube * cos(v) + 1.0) * sin(u),
+            tube * sin(v),
+        ),
+        (0.0, 2.0 * np.pi),
+        (0.0, 2.0 * np.pi),
+        (True, True),
+    )
+
+
 @pytest.mark.parametrize("kind", ["regular", "irregular"])
 @pytest.mark.parametrize(
     ("tube", "cells", "spacing"),
@@ -104,17 +118,7 @@ def test_every_line_laid_out_on_a_torus_closes(
     where another one would find room. Around fatter tubes lines may be closer and farther apart.
     """
     close, far = (0.5, 1.7) if tube < 0.5 else (0.33, 2.3)
-    torus = Patch(
-        lambda u, v: (
-            (tube * cos(v) + 1.0) * cos(u),
-            (tube * cos(v) + 1.0) * sin(u),
-            tube * sin(v),
-        ),
-        (0.0, 2.0 * np.pi),
-        (0.0, 2.0 * np.pi),
-        (True, True),
-    )
-    sample = sample_patch(torus, kind, cells)
+    sample = sample_patch(_torus(tube), kind, cells)
     surface = build_surface(mesh_from_polygons(sample.shape.position, sample.polygons), np.pi)
     traced = trace_evenly(build_line_field(surface, estimate_curvature(surface)), spacing)
     assert (traced.ends == LineEnd.CLOSED).all()
@@ -123,6 +127,19 @@ def test_every_line_laid_out_on_a_torus_closes(
     # Their gaps on the outer equator add up to all of it, and none holds another line.
     assert around.count >= 2.0 * np.pi * (1.0 + tube) / (far * spacing)
     assert around.count <= 2.0 * np.pi * (1.0 - tube) / (close * spacing)
+
+
+def test_lines_on_every_torus_of_a_model_close() -> None:
+    """Each piece has its own distances: here tubes of 0.25 and of 0.6 of the ring."""
+    points, polygons, count = [], [], 0
+    for number, tube in enumerate((0.25, 0.6)):
+        sample = sample_patch(_torus(tube), "irregular", (72, round(72 * tube)))
+        points.append(sample.shape.position + [[4.0 * number, 0.0, 0.0]])
+        polygons.append(sample.polygons + count)
+        count += len(sample.shape.position)
+    surface = build_surface(mesh_from_polygons(np.concatenate(points), np.concatenate(polygons)))
+    traced = trace_evenly(build_line_field(surface, estimate_curvature(surface)), 0.2)
+    assert (traced.ends == LineEnd.CLOSED).all()
 
 
 def test_lines_on_both_sides_of_a_pipe_keep_half_a_spacing() -> None:

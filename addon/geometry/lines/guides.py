@@ -7,6 +7,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..groups import connected_groups, sum_by_group
+from ..types import Floats, Indices
 from .assembly import shifted
 from .field import DirectionField, Family
 from .lines import CurvatureLines
@@ -40,8 +41,11 @@ _PLACES = 12
 _STRONG = 0.5
 
 
-def guide_seeds(lines: LineField, families: tuple[Family, ...]) -> Seeds:
-    """Return a seed in the middle of every smooth part, for lines across the families."""
+def guide_seeds(lines: LineField, families: tuple[Family, ...]) -> tuple[Seeds, Indices]:
+    """Return a seed in the middle of every smooth part, for lines across the families.
+
+    Also the part of every triangle, (t,) int64.
+    """
     field, mesh = lines.field, lines.field.mesh
     strength = field.strength
     if min(families) >= Family.ASYMPTOTIC_LEFT:
@@ -76,7 +80,7 @@ def guide_seeds(lines: LineField, families: tuple[Family, ...]) -> Seeds:
         np.tile(first, len(across)),
         np.full((len(first) * len(across), 3), 1.0 / 3.0),
         np.repeat(np.array(across, dtype=np.int64), len(first)),
-    )
+    ), part
 
 
 def measured_seeds(
@@ -84,7 +88,7 @@ def measured_seeds(
     guides: CurvatureLines,
     families: tuple[Family, ...],
     spacing: float,
-    scale: dict[int, float],
+    scale: Floats,
     fewest: int = 1,
 ) -> Seeds:
     """Return seeds at even distances along guides.
@@ -96,19 +100,18 @@ def measured_seeds(
     families : tuple of Family
     spacing : float
         Distance along guides in meters; what comes closest to it without a rest is taken.
-    scale : dict
-        By how much to scale that, by the family of the guides.
+    scale : (g,) float64
+        By how much to scale that for each guide.
     fewest : int
-        Least number of seeds along a guide.
+        Least number of seeds along a guide that has more than one.
     """
-    wanted = np.isin(guides.family, [int(ACROSS[family]) for family in families])
-    chosen = guides.chosen(np.flatnonzero(wanted))
+    wanted = np.flatnonzero(np.isin(guides.family, [int(ACROSS[family]) for family in families]))
+    chosen = guides.chosen(wanted)
     line = chosen.point_line
     arc, _ = course(chosen)
     length = chosen.length
-    factor = np.array([scale[int(family)] for family in chosen.family])
     number = np.maximum(1, np.round(length / spacing))
-    number = np.maximum(fewest, np.round(number / factor))
+    number = np.where(number > 1, np.maximum(fewest, np.round(number / scale[wanted])), 1)
     # On a guide from rim to rim the outer lines keep half a spacing to the rims.
     margin = np.where(chosen.is_closed, 0.0, 0.5)[line]
     pitch = (length / number)[line]

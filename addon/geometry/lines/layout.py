@@ -19,7 +19,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..errors import InvalidSettingError
-from ..types import Indices, Progress
+from ..types import Floats, Indices, Progress
 from .assembly import assemble
 from .continuing import continuing_seeds
 from .endings import Rules, Surroundings, surroundings
@@ -166,14 +166,14 @@ def trace_evenly(
         rings=lines.no_samples,
     )
     layout.add(ray_seeds(lines, families, spacing))
-    seeds = guide_seeds(lines, families)
+    seeds, piece = guide_seeds(lines, families)
     # The largest part first: lines go on from it into others.
     is_first = seeds.triangle == seeds.triangle[:1]
     for part in (is_first, ~is_first):
         guides = _alone(layout, seeds.chosen(part))
-        scale, whole = _scales(layout, guides, families)
+        scale, whole = _scales(layout, guides, piece, families)
         found = layout.fresh(measured_seeds(lines.field, guides, families, spacing, scale))
-        is_ring = np.isin(found.family, whole)
+        is_ring = np.isin(_of_piece(piece[found.triangle], found.family), whole)
         layout.add_rings(found.chosen(is_ring))
         layout.add(found.chosen(~is_ring))
         layout.go_on(families)
@@ -202,31 +202,46 @@ def _alone(layout: _Layout, seeds: Seeds) -> CurvatureLines:
 
 
 def _scales(
-    layout: _Layout, guides: CurvatureLines, families: tuple[Family, ...]
-) -> tuple[dict[int, float], list[int]]:
-    """Return by how much to scale the distances along guides, by their family.
+    layout: _Layout, guides: CurvatureLines, piece: Indices, families: tuple[Family, ...]
+) -> tuple[Floats, Indices]:
+    """Return by how much to scale the distances along each guide, (g,) float64.
 
     That is 1 where lines come close to each other or drift apart anyway. Where they do neither by
     much, all can run from end to end, if they start closer where they are closest. Also which
-    families close then, all of their lines.
+    families of which pieces close then, all of their lines.
     """
     spacing = layout.rules.spacing
-    scale = {int(family): 1.0 for family in Family}
+    scale = np.ones(guides.count)
     plain, seeds = (
         measured_seeds(layout.lines.field, guides, families, spacing, scale, fewest)
         for fewest in (1, _CROSSING)
     )
     crossing = _alone(layout, seeds)
-    whole: list[int] = []
-    for family in families:
-        own = crossing.chosen(np.flatnonzero(crossing.family == family))
-        number = int((plain.family == family).sum())
+    number, all_of_them, lines = (
+        _of_piece(piece[triangle], family)
+        for triangle, family in (
+            (plain.triangle, plain.family),
+            (seeds.triangle, seeds.family),
+            (crossing.triangle[crossing.start[:-1]], crossing.family),
+        )
+    )
+    across = np.array([int(ACROSS[Family(family)]) for family in guides.family], dtype=np.int64)
+    own = _of_piece(piece[guides.triangle[guides.start[:-1]]], across)
+    is_whole = np.zeros(guides.count, dtype=np.bool_)
+    for guide in range(guides.count):
+        count = int((number == own[guide]).sum())
         # A single line along a pipe has no neighbor to keep a distance from.
-        if number > 1:
-            share = number / int((seeds.family == family).sum())
-            scale[int(ACROSS[family])], is_whole = balance(layout.lines, own, spacing, share)
-            whole += [int(family)] * is_whole
-    return scale, whole
+        if count > 1:
+            share = count / int((all_of_them == own[guide]).sum())
+            beside = crossing.chosen(np.flatnonzero(lines == own[guide]))
+            scale[guide], is_whole[guide] = balance(layout.lines, beside, spacing, share)
+    return scale, own[is_whole]
+
+
+def _of_piece(piece: Indices, family: Indices) -> Indices:
+    """Return a number for every family of every piece."""
+    numbers: Indices = piece * (1 + max(Family)) + family
+    return numbers
 
 
 def _sorted(placed: CurvatureLines) -> CurvatureLines:
