@@ -49,11 +49,15 @@ class Rules:
         Distance in meters at which a line ends beside another one, or beside itself.
     competes : bool
         Whether lines end beside others that are traced at the same time.
+    tolerance : float
+        Share of `nearest` at which a line ends beside another one; beside itself always at all of
+        it.
     """
 
     spacing: float
     nearest: float
     competes: bool
+    tolerance: float = 1.0
 
 
 @dataclass
@@ -185,7 +189,8 @@ def end_at_neighbors(
 ) -> None:
     """End arms that came too close to lines placed before, to others traced now, or to itself."""
     if len(placed):
-        sample, other = close_pairs(recent, placed, rules.spacing, rules.nearest, _PLACED)
+        reach = rules.tolerance * rules.nearest
+        sample, other = close_pairs(recent, placed, rules.spacing, reach, _PLACED)
         sample = sample[_side_by_side(recent.chosen(sample), placed.chosen(other))]
         _cut(state, recent.arm[sample], recent.arc[sample], rules)
     sample, other = close_pairs(recent, seen, rules.spacing, rules.nearest, _PARTNERS)
@@ -196,7 +201,9 @@ def end_at_neighbors(
     is_apart = far_along(one, two, rules.spacing)
     _meet_itself(state, one, two, is_kept & is_own & is_apart, rules)
     if rules.competes:
-        _meet_others(state, one, two, is_kept & ~is_own, rules)
+        apart = one.position - two.position
+        is_close = dot(apart, apart) < (rules.tolerance * rules.nearest) ** 2
+        _meet_others(state, one, two, is_kept & ~is_own & is_close, rules)
 
 
 def _side_by_side(one: Samples, two: Samples) -> Flags:

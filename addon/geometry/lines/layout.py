@@ -35,8 +35,8 @@ from .tracing import trace
 
 #: Share of the spacing at which a line ends beside another one.
 _NEAREST = 0.5
-#: The same of lines that all close, at distances chosen so that they can.
-_NEAREST_RING = 0.3
+#: Share of that for lines that all close, at distances chosen so that they can.
+_NEAREST_RING = 0.6
 #: Seeds closer than this share of the spacing to a line are none.
 _FREE = 0.85
 #: Those that go on from a line are none where another one is this close.
@@ -97,8 +97,7 @@ class _Layout:
     def add_rings(self, seeds: Seeds) -> None:
         """Trace lines that all close, and leave the gaps between them as they are."""
         before = self.placed.count
-        nearest = _NEAREST_RING * self.rules.spacing
-        self.add(seeds, rules=replace(self.rules, nearest=nearest))
+        self.add(seeds, rules=replace(self.rules, tolerance=_NEAREST_RING))
         new = self.placed.chosen(np.arange(before, self.placed.count))
         step = 0.25 * self.rules.spacing
         found = samples_along(self.lines.field, new, step, before)

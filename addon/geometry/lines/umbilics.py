@@ -115,7 +115,8 @@ def find_umbilics(field: DirectionField, transport: Transport, areas: Areas) -> 
     is_inside = triangle_area >= 0
     area_index = sum_by_group(triangle_area[is_inside], index[is_inside], area_count)
     # Around an area that reaches the outline of the surface one cannot walk.
-    is_open = is_inside & (mesh.neighbor < 0).any(axis=1)
+    has_outline: Flags = np.any(mesh.neighbor < 0, axis=1)
+    is_open = is_inside & has_outline
     reaches = np.zeros(area_count, dtype=np.bool_)
     reaches[triangle_area[is_open]] = True
     area_index[reaches] = 0.0
@@ -130,7 +131,7 @@ def find_umbilics(field: DirectionField, transport: Transport, areas: Areas) -> 
         (zeros.triangle, zeros.index),
         (triangle_area, 0.5 * np.round(2.0 * area_index), area_size),
         reaches,
-        (mesh.neighbor < 0).any(axis=1),
+        has_outline,
     )
     return Umbilics(
         position=mesh.points(zeros.triangle, zeros.barycentric),
