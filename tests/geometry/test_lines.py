@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from architectural_curvature.addon.geometry.lines.assembly import shifted
 from architectural_curvature.addon.geometry.lines.field import ASYMPTOTIC, PRINCIPAL, Family
 from architectural_curvature.addon.geometry.lines.layout import trace_evenly
 from architectural_curvature.addon.geometry.lines.lines import CurvatureLines, LineEnd
@@ -230,3 +231,19 @@ def test_simplified_lines_stay_within_the_tolerance() -> None:
         fine = (1.0 - share) * corner + share * np.roll(corner, -1, axis=0)
         away = cKDTree(fine.reshape(-1, 3)).query(lines.line_points(line))[0]
         assert np.max(away) < 0.0101
+
+
+def test_places_move_along_the_sides_that_they_lie_on() -> None:
+    """There a rounding error points out of both triangles: they went to and fro for ever."""
+    lines = field_on(sample_patch(PATCHES["waves"], "irregular", (40, 40)))
+    field, mesh = lines.field, lines.field.mesh
+    triangle, side = np.nonzero(mesh.neighbor >= 0)
+    corner = mesh.position[mesh.triangles[triangle]]
+    rows = np.arange(len(triangle))
+    along = corner[rows, (side + 2) % 3] - corner[rows, (side + 1) % 3]
+    place = np.full((len(rows), 3), 0.5)
+    place[rows, side] = 0.0
+    way = 0.3 * np.linalg.norm(along, axis=1)
+    found = shifted(field, triangle, place, along, way)
+    moved = mesh.points(*found) - mesh.points(triangle, place)
+    assert moved == pytest.approx(0.3 * along, abs=1e-9)

@@ -32,6 +32,10 @@ _DOUBLE = 1e-4
 #: The same of closed lines, for points that lie less far onward than this.
 _CURL = 1e-2
 
+#: Sides crossed in succession, with less way between them than this share of a side, after which a
+#: place that is moved stays where it is.
+_CROSSINGS, _PROGRESS = 100, 1e-6
+
 
 @dataclass
 class _Meetings:
@@ -235,7 +239,7 @@ def shifted(
     barycentric : (n, 3) float64
     """
     walkers = start_walkers(triangle, barycentric, heading, np.ones(len(triangle), dtype=np.int64))
-    left = way.copy()
+    left, idle = way.copy(), np.zeros(len(way), dtype=np.int64)
     active = np.arange(len(left))
     while len(active):
         moving = walkers.chosen(active)
@@ -244,5 +248,7 @@ def shifted(
         unfold(field.mesh, moving, np.where(is_out, -1, side))
         walkers.put(active, moving)
         left[active] -= done
-        active = active[~is_out & (side >= 0)]
+        # Who turns about a corner without getting on has gone as far as it goes.
+        idle[active] = np.where(done > _PROGRESS * field.mesh.edge_length, 0, idle[active] + 1)
+        active = active[~is_out & (side >= 0) & (idle[active] <= _CROSSINGS)]
     return walkers.triangle, walkers.barycentric

@@ -25,6 +25,9 @@ GRAZING = 0.2
 #: middle of its triangle.
 STUCK, NUDGE = 12, 1e-3
 
+#: Sine of the angle to a side up to which one goes along it.
+_ALONG = 1e-9
+
 
 @dataclass
 class Walkers:
@@ -140,7 +143,11 @@ def go_straight(mesh: Triangulation, walkers: Walkers, reach: Floats) -> tuple[F
     along = np.einsum("nix,nx->ni", frame[:, :2], walkers.heading)
     course = np.einsum("nix,ni->nx", frame[:, :2], along)
     course = unit(course)
-    rate = np.einsum("ncx,nx->nc", mesh.gradient[walkers.triangle], course)
+    gradient = mesh.gradient[walkers.triangle]
+    rate = np.einsum("ncx,nx->nc", gradient, course)
+    # Who goes along a side may seem to leave both of its triangles by a rounding error, for ever.
+    is_along = np.abs(rate) < _ALONG * np.sqrt((gradient**2).sum(axis=2))
+    rate[is_along & (walkers.barycentric <= 0.0)] = 0.0
     way, side = _exit(walkers.barycentric, rate)
     side = np.where(reach < way, -1, side)
     way = np.minimum(way, reach)
