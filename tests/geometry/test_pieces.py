@@ -49,6 +49,7 @@ def _found(
         curvature.mean,
         rim_sectors(surface),
         curvature.noise,
+        surface.mesh.resolution,
         limit,
     )
 

@@ -143,6 +143,7 @@ def _find_pieces(
         curvature.mean,
         rim_sectors(surface),
         curvature.noise,
+        surface.mesh.resolution,
         criterion.curvature_limit,
         on_progress,
     )

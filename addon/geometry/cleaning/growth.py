@@ -43,14 +43,11 @@ class Piece:
         Places that lie on it.
     scatter : float
         Standard deviation in meters of their heights.
-    doubt : float
-        Standard deviation in 1/m of the curvature across the piece.
     """
 
     primitive: Primitive
     members: Indices
     scatter: float
-    doubt: float
 
 
 @dataclass(frozen=True)
@@ -160,8 +157,7 @@ def _grown(places: Places, seed: Indices, kind: Kind) -> Piece | None:
             # Places on a curve, or on the two of a strip, lie on many surfaces.
             if places.is_rim[places.inner(fitted)].all() or _is_gradual(places, fitted, primitive):
                 return None
-            scatter = max(scatter, places.least)
-            return Piece(primitive, members, scatter, _doubt(places.position[members], scatter))
+            return Piece(primitive, members, max(scatter, places.least))
         largest = len(members)
     return None
 
@@ -208,16 +204,6 @@ def _is_gradual(places: Places, members: Indices, primitive: Primitive) -> bool:
     if np.sqrt((height * height).mean()) <= places.exact:
         return False
     return has_shape(height, points - height[:, None] * primitive.normals(points))
-
-
-def _doubt(points: Floats, scatter: float) -> float:
-    """Return the standard deviation in 1/m of a curvature fitted across points.
-
-    That of a second derivative from n points spread evenly over a length l is s √(720 / n) / l².
-    """
-    local = points - points.mean(axis=0)
-    width = float(np.sqrt(12.0 * np.linalg.eigvalsh(local.T @ local / len(local))[1]))
-    return scatter * float(np.sqrt(720.0 / len(local))) / max(width, 1e-300) ** 2
 
 
 def _some(members: Indices) -> Indices:

@@ -14,6 +14,7 @@ from ..groups import ranges
 from ..primitives.shapes import Kind
 from ..surface import Surface
 from ..types import Flags, Floats, Indices
+from .certainty import curvature_doubts
 from .growth import Piece
 from .likelihood import CERTAIN, class_costs
 
@@ -122,6 +123,7 @@ def piece_costs(surface: Surface, pieces: Sequence[Piece], criterion: Criterion)
         many = corners[faces]
         first = np.cumsum(many) - many
         position = surface.sector_position[sector[corner]]
+        members = surface.sector_position[piece.members]
         height = piece.primitive.heights(position) / piece.scatter
         # Beyond a seam heights grow with the square of the distance: the mean of their roots tells
         # on which side the polygon's center lies.
@@ -131,7 +133,10 @@ def piece_costs(surface: Surface, pieces: Sequence[Piece], criterion: Criterion)
         if piece.primitive.kind in _EVEN:
             center = center[:1]
         k1, k2 = piece.primitive.bends(center)
-        by_class = class_costs(k1, k2, np.full(len(k1), piece.doubt), criterion) + misfit[:, None]
+        by_class = (
+            class_costs(k1, k2, np.full(len(k1), min(curvature_doubts(piece, members))), criterion)
+            + misfit[:, None]
+        )
         is_better = by_class < cost[faces]
         best[faces] = np.where(is_better, number, best[faces])
         cost[faces] = np.where(is_better, by_class, cost[faces])

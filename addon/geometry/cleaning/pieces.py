@@ -20,10 +20,11 @@ from ..classification import SurfaceClass
 from ..groups import connected_groups
 from ..links import link_lengths
 from ..nearest import nearest_along
-from ..primitives.shapes import Kind
 from ..progress import part_of
 from ..types import Flags, Floats, Indices, Progress
-from .growth import FEWEST, Piece, Places, grow_piece
+from .certainty import certain_piece
+from .discs import pieces_from_discs
+from .growth import FEWEST, Piece, Places
 
 #: A core has at least so many points, if the region has.
 _LEAST_CORE = 48
@@ -46,7 +47,7 @@ _CALM = 4.0
 _LOUD = 3.0
 #: Heights below this share of an edge move no border by more than a fraction of an edge …
 _LEAST = 3e-4
-#: … and below this they are rounding.
+#: … and below this they are rounding, whatever the coordinates were rounded to.
 _EXACT = 1e-6
 
 
@@ -58,6 +59,7 @@ def find_pieces(
     mean: Floats,
     is_rim: Flags,
     noise: float,
+    resolution: float,
     limit: float,
     on_progress: Progress | None = None,
 ) -> list[Piece]:
@@ -77,6 +79,8 @@ def find_pieces(
         Places on creases and rims.
     noise : float
         Standard deviation in meters by which most places leave a smooth surface.
+    resolution : float
+        Rounding step of the coordinates in meters, or 0.
     limit : float
         Curvature in 1/m that matters.
     on_progress : callable, optional
@@ -97,7 +101,7 @@ def find_pieces(
         start=start,
         neighbor=neighbor,
         is_rim=is_rim,
-        exact=_EXACT * edge,
+        exact=max(_EXACT * edge, resolution),
         least=_LEAST * edge,
         most=max(_LOUD * noise, _LEAST * edge),
     )
@@ -106,9 +110,10 @@ def find_pieces(
     net = links, length
     pieces = _pieces_inside(places, net, place_class, taken, limit, part_of(on_progress, 0.0, 0.7))
     if pieces:
-        # What no piece has taken may be one that the classes do not show …
+        # What no piece has taken may be one that the classes do not show, however narrow …
         rest = np.where(taken, -1, 0)
         pieces += _pieces_inside(places, net, rest, taken, limit, part_of(on_progress, 0.7, 0.9))
+        pieces += pieces_from_discs(places, net, taken, limit)
         # … or a strip of wall between fillets, which noise has made to seem bent, but not by much.
         turn = np.linalg.norm(normal[links[:, 0]] - normal[links[:, 1]], axis=1)
         calm = turn < _CALM * limit * length
@@ -200,22 +205,8 @@ def _pieces_of(
         deepest = rest[np.argmax(depth[rest])]
         seed = places.spread(np.array([deepest]), is_free, _ENOUGH)
         is_open[seed] = False
-        piece = grow_piece(places, seed) if len(seed) >= FEWEST else None
-        if piece is not None and piece.doubt <= _HIDDEN * _clearance(places, piece, limit):
+        piece = certain_piece(places, seed, limit, _HIDDEN)
+        if piece is not None:
             taken[piece.members] = True
             pieces.append(piece)
     return pieces
-
-
-def _clearance(places: Places, piece: Piece, limit: float) -> float:
-    """Return how far the principal curvatures of a piece are from the limit, in 1/m.
-
-    Of a torus, which crosses it, the limit itself.
-    """
-    if piece.primitive.kind is Kind.TORUS:
-        return limit
-    apart = [
-        np.abs(np.abs(bend) - limit)
-        for bend in piece.primitive.bends(places.position[piece.members])
-    ]
-    return float(np.median(np.minimum(*apart)))
