@@ -112,6 +112,60 @@ def test_low_walls_around_a_slab_are_flat(seed: int) -> None:
     assert (result.face_class[is_wall] == SurfaceClass.FLAT).mean() >= 0.99
 
 
+NARROW = [((0.7, 0.7, 0.7), 0.2), ((1.0, 0.7, 0.5), 0.15), ((2.0, 1.5, 0.5), 0.3)]
+
+
+def _box(
+    half: tuple[float, float, float], radius: float, across: float, recipe: Recipe
+) -> Composite:
+    """Return a rounded box whose fillets are so many edges wide."""
+    edge = radius * np.pi / 2 / across
+    reach = np.array(half) + radius * np.pi / 4
+    count = int(8 * (reach * np.roll(reach, 1)).sum() / edge**2)
+    return rounded_box(replace(recipe, count=count), half, radius)
+
+
+def _as_stored(shape: Composite) -> tuple[Surface, Segmentation]:
+    """Return the segmentation of a shape whose coordinates are 32-bit numbers, as in Blender."""
+    vertices = shape.vertices.astype(np.float32)
+    step = float(np.spacing(np.abs(vertices).max()))
+    mesh = mesh_from_polygons(vertices, shape.polygons.tolist(), resolution=step)
+    surface = build_surface(mesh)
+    tolerance = resolve_tolerance(0.0, 0.0, surface.mesh.diagonal)
+    return surface, segment(surface, estimate_curvature(surface), tolerance)
+
+
+@pytest.mark.parametrize("kind", ["quads", "triangles"])
+@pytest.mark.parametrize(("half", "radius"), NARROW)
+def test_fillets_of_five_edges_are_right_under_noise(
+    half: tuple[float, float, float], radius: float, kind: str
+) -> None:
+    shape = _box(half, radius, 5.0, Recipe(kind=kind, noise=NOISE))
+    assert _share_right(shape, *_as_stored(shape)) >= 0.97
+
+
+@pytest.mark.parametrize("kind", ["quads", "triangles"])
+@pytest.mark.parametrize(("half", "radius"), NARROW)
+def test_regions_of_boxes_with_narrow_fillets_are_counted(
+    half: tuple[float, float, float], radius: float, kind: str
+) -> None:
+    for seed in range(3 if kind == "triangles" else 1):
+        shape = _box(half, radius, 6.5, Recipe(kind=kind, seed=seed))
+        surface, result = _as_stored(shape)
+        assert _share_right(shape, surface, result) >= 0.99
+        assert result.regions.count == 26
+
+
+@pytest.mark.parametrize("noise", [0.0, NOISE])
+@pytest.mark.parametrize("kind", ["quads", "triangles"])
+@pytest.mark.parametrize("count", [1500, 4000])
+def test_single_curved_bands_join_the_arms_of_a_coarse_elbow(
+    count: int, kind: str, noise: float
+) -> None:
+    shape, _, result = _segmented("pipe elbow", Recipe(count=count, kind=kind, noise=noise))
+    assert result.regions.count == shape.regions
+
+
 @pytest.mark.parametrize("kind", ["quads", "triangles"])
 def test_parabolic_curves_of_a_torus_are_two_circles(kind: str) -> None:
     shape = torus(Recipe(kind=kind))

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from architectural_curvature.addon.geometry.primitives.extents import narrowest_extent
 from architectural_curvature.addon.geometry.primitives.fits import first_guesses, refine
 from architectural_curvature.addon.geometry.primitives.residuals import correlates, has_shape
 from architectural_curvature.addon.geometry.primitives.shapes import Kind, Primitive, frame_of
@@ -150,3 +151,50 @@ def test_neighbors_in_noise_are_not_alike_and_on_a_slope_they_are() -> None:
     assert not correlates(noise, pairs)
     assert correlates(noise + np.linspace(-1.0, 1.0, 1000), pairs)
     assert not correlates(np.zeros(1000), pairs)
+
+
+@pytest.mark.parametrize("kind", Kind)
+def test_the_narrowest_extent_is_the_width_of_the_strip(kind: Kind) -> None:
+    """Strips 0.3 m wide across one side of each surface, one of which is across angle ±180°."""
+    rng = np.random.default_rng(0)
+    width, long = rng.uniform(-0.15, 0.15, 20_000), rng.uniform(-1.0, 1.0, 20_000)
+    frame = frame_of(np.array([0.3, -0.5, 0.8]))
+    sizes, local = {
+        Kind.PLANE: ((), np.stack([width, long, 0 * long])),
+        Kind.SPHERE: (
+            (2.0,),
+            2.0
+            * np.stack(
+                [
+                    np.cos(long / 2) * np.cos(width / 2),
+                    np.sin(long / 2) * np.cos(width / 2),
+                    np.sin(width / 2),
+                ]
+            ),
+        ),
+        Kind.CYLINDER: ((2.0,), np.stack([-2 * np.cos(width / 2), 2 * np.sin(width / 2), long])),
+        Kind.CONE: (
+            (2.0, 0.5),
+            np.stack(
+                [
+                    -(2 + width * np.sin(0.5)) * np.cos(long),
+                    (2 + width * np.sin(0.5)) * np.sin(long),
+                    width * np.cos(0.5),
+                ]
+            ),
+        ),
+        Kind.TORUS: (
+            (2.0, 0.5),
+            np.stack(
+                [
+                    (2 + 0.5 * np.cos(2 * width)) * np.cos(long),
+                    (2 + 0.5 * np.cos(2 * width)) * np.sin(long),
+                    0.5 * np.sin(2 * width),
+                ]
+            ),
+        ),
+    }[kind]
+    origin = np.array([1.0, 2.0, 3.0])
+    primitive = Primitive(kind, origin, frame, sizes)
+    found = narrowest_extent(primitive, origin + local.T @ frame)
+    assert found == pytest.approx(0.3, rel=0.01)

@@ -106,7 +106,10 @@ def clean_classes(
     bent &= True if is_locked is None else ~is_locked
     labels = _without_bent(surface, faces, labels, bent, criterion.tolerance.panel_size)
     part_of(on_progress, 0.9, 1.0)(0.5)
-    part = split_at_necks(surface, labels, min_area, is_locked, on_pieces.piece_of(labels))
+    primitives = [piece.primitive for piece in on_pieces.pieces]
+    part = split_at_necks(
+        surface, labels, min_area, is_locked, on_pieces.piece_of(labels), primitives
+    )
     return CleanClasses(labels, part, on_pieces)
 
 
