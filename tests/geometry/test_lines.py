@@ -57,6 +57,28 @@ def test_every_line_of_a_torus_closes(kind: str, noise: float) -> None:
             < half).all()  # fmt: skip
 
 
+def bumpy_sphere() -> LineField:
+    """Return the field of a surface on which lines run together and come back to themselves."""
+    sample = sample_ellipsoid((1.0, 1.0, 1.0), "geodesic", 18)
+    x, y, z = sample.shape.position.T
+    bump = np.sin(3.0 * x + 1.0) * np.sin(4.0 * y) + np.cos(3.0 * z - x)
+    position = (1.0 + 0.12 * bump)[:, None] * sample.shape.position
+    return field_of(mesh_from_polygons(position, sample.polygons))
+
+
+def test_a_line_does_not_depend_on_those_traced_with_it() -> None:
+    lines = bumpy_sphere()
+    triangles = np.linspace(0, len(lines.field.mesh.triangles) - 1, 24).astype(np.int64)
+    middle = np.full((len(triangles), 3), 1.0 / 3.0)
+    apart = trace_from(lines, triangles, middle, (Family.FIRST,))
+    assert apart.count == len(triangles)
+    for number in range(0, len(triangles), 4):
+        beside = trace_from(
+            lines, np.full(len(triangles), triangles[number]), middle, (Family.FIRST,)
+        )
+        np.testing.assert_allclose(beside.length, apart.length[number], rtol=1e-9)
+
+
 def test_lines_of_an_ellipsoid_lie_on_confocal_quadrics() -> None:
     sample = sample_ellipsoid(AXES, "irregular", 20)
     lines = trace_some(field_on(sample), 10)
