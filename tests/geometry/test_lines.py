@@ -10,11 +10,14 @@ from architectural_curvature.addon.geometry.lines.assembly import shifted
 from architectural_curvature.addon.geometry.lines.field import ASYMPTOTIC, PRINCIPAL, Family
 from architectural_curvature.addon.geometry.lines.layout import trace_evenly
 from architectural_curvature.addon.geometry.lines.lines import CurvatureLines, LineEnd
+from architectural_curvature.addon.geometry.lines.seeds import make_seeds
 from architectural_curvature.addon.geometry.lines.simplification import simplified
 from architectural_curvature.addon.geometry.lines.tracer import (
     LineField,
+    own_rules,
     trace_from,
 )
+from architectural_curvature.addon.geometry.lines.tracing import trace
 from architectural_curvature.addon.geometry.mesh import mesh_from_polygons
 from line_fields import field_of, field_on
 from scipy.spatial import cKDTree
@@ -55,6 +58,53 @@ def test_every_line_of_a_torus_closes(kind: str, noise: float) -> None:
     # The seam of the angle is no jump of the sine.
     assert (spread(np.sin(around - around[lines.start[:-1]][lines.point_line]), lines)[is_first]
             < half).all()  # fmt: skip
+
+
+def bumpy_sphere() -> LineField:
+    """Return the field of a surface on which lines run together and come back to themselves."""
+    sample = sample_ellipsoid((1.0, 1.0, 1.0), "geodesic", 18)
+    x, y, z = sample.shape.position.T
+    bump = np.sin(3.0 * x + 1.0) * np.sin(4.0 * y) + np.cos(3.0 * z - x)
+    position = (1.0 + 0.12 * bump)[:, None] * sample.shape.position
+    return field_of(mesh_from_polygons(position, sample.polygons))
+
+
+def test_a_line_does_not_depend_on_those_traced_with_it() -> None:
+    lines = bumpy_sphere()
+    triangles = np.linspace(0, len(lines.field.mesh.triangles) - 1, 24).astype(np.int64)
+    middle = np.full((len(triangles), 3), 1.0 / 3.0)
+    apart = trace_from(lines, triangles, middle, (Family.FIRST,))
+    assert apart.count == len(triangles)
+    for number in range(0, len(triangles), 4):
+        beside = trace_from(
+            lines, np.full(len(triangles), triangles[number]), middle, (Family.FIRST,)
+        )
+        np.testing.assert_allclose(beside.length, apart.length[number], rtol=1e-9)
+
+
+def test_a_line_ends_at_the_longest_way_that_it_may_go() -> None:
+    lines = bumpy_sphere()
+    triangles = np.linspace(0, len(lines.field.mesh.triangles) - 1, 24).astype(np.int64)
+    seeds = make_seeds(
+        triangles, np.full((24, 3), 1.0 / 3.0), np.full(24, int(Family.FIRST), dtype=np.int64)
+    )
+    rules = own_rules(lines)
+    # Both arms make eight steps between two looks, of a quarter of the spacing at most.
+    more = 2 * 8 * 0.25 * rules.spacing
+    is_bound = np.arange(24) % 2 == 0
+    ways = []
+    for longest in (None, np.where(is_bound, 0.3, np.inf)):
+        state, samples = trace(
+            lines.field, lines.own_surroundings, seeds, lines.no_samples, rules, longest
+        )
+        assert (state.end >= 0).all()
+        way = np.zeros(48)
+        np.maximum.at(way, samples.arm, samples.arc)
+        ways.append(way[::2] + way[1::2])
+    free, bound = ways
+    assert (free[is_bound] > 0.3 + more).any()
+    assert (bound[is_bound] < 0.3 + more).all()
+    np.testing.assert_allclose(bound[~is_bound], free[~is_bound], rtol=1e-9)
 
 
 def test_lines_of_an_ellipsoid_lie_on_confocal_quadrics() -> None:

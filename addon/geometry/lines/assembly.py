@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -179,9 +179,7 @@ def _doubts(field: DirectionField, samples: Samples, count: int) -> Floats:
 
 def _own_pairs(forward: Samples, backward: Samples, rules: Rules) -> tuple[Indices, Indices]:
     """Return pairs of samples on the two arms of a line that are close, nearest first."""
-    # What keeps families apart keeps lines apart here.
-    one = replace(forward, family=forward.line)
-    two = replace(backward, family=backward.line)
+    one, two = forward.by_line(), backward.by_line()
     return close_pairs(one, two, rules.spacing, rules.nearest, 1)
 
 

@@ -193,7 +193,14 @@ def end_at_neighbors(
         sample, other = close_pairs(recent, placed, rules.spacing, reach, _PLACED)
         sample = sample[_side_by_side(recent.chosen(sample), placed.chosen(other))]
         _cut(state, recent.arm[sample], recent.arc[sample], rules)
-    sample, other = close_pairs(recent, seen, rules.spacing, rules.nearest, _PARTNERS)
+    if rules.competes:
+        sample, other = close_pairs(recent, seen, rules.spacing, rules.nearest, _PARTNERS)
+    else:
+        # Lines that run together must not hide a line from itself, nor slow down the search.
+        seen = seen.chosen(np.isin(seen.line, recent.line))
+        sample, other = close_pairs(
+            recent.by_line(), seen.by_line(), rules.spacing, rules.nearest, _PARTNERS
+        )
     one, two = recent.chosen(sample), seen.chosen(other)
     is_kept = (two.arc <= state.cut[two.arm]) & (one.arc <= state.cut[one.arm])
     is_kept &= _side_by_side(one, two)

@@ -19,6 +19,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..errors import InvalidSettingError
+from ..groups import sum_by_group
 from ..types import Floats, Indices, Progress
 from .assembly import assemble
 from .continuing import continuing_seeds
@@ -30,7 +31,7 @@ from .lines import CurvatureLines, joined_lines, no_lines
 from .samples import Samples, are_between, distances, joined, seed_samples
 from .seeding import gap_seeds, ray_seeds, samples_along
 from .seeds import Seeds
-from .tracer import LineField, usable
+from .tracer import LineField, is_usable, usable
 from .tracing import trace
 
 #: Share of the spacing at which a line ends beside another one.
@@ -43,6 +44,10 @@ _FREE = 0.85
 _BESIDE = 0.2
 #: Least number of lines across a guide from which to see how far apart they are.
 _CROSSING = 12
+#: Lines across a guide are on average as long as their part's area over the guide's length. Where
+#: one is longer than this many times that, distances vary by more than `guides.balance` can make
+#: up for: it ends there. Points left out may make it shorter again, but not below this share.
+_LONGEST, _CUT = 6.0, 0.95
 #: Shorter lines than this many spacings are left out; a tenth of it from rim to rim.
 _SHORTEST = 1.0
 #: The same in holes that would stay without.
@@ -191,12 +196,14 @@ def trace_evenly(
     return _sorted(layout.placed)
 
 
-def _alone(layout: _Layout, seeds: Seeds) -> CurvatureLines:
-    """Return lines that end for themselves only."""
+def _alone(layout: _Layout, seeds: Seeds, longest: Floats | None = None) -> CurvatureLines:
+    """Return lines that end for themselves only, or at a length in meters, (n,)."""
     lines = layout.lines
     alone = Rules(layout.rules.spacing, layout.rules.nearest, competes=False)
-    seeds = usable(lines, seeds)
-    state, samples = trace(lines.field, layout.around, seeds, lines.no_samples, alone)
+    is_open = is_usable(lines, seeds.triangle, seeds.barycentric, seeds.family)
+    seeds = seeds.chosen(is_open)
+    longest = None if longest is None else longest[is_open]
+    state, samples = trace(lines.field, layout.around, seeds, lines.no_samples, alone, longest)
     return assemble(lines.field, state, samples, alone, layout.rules.spacing)
 
 
@@ -215,22 +222,22 @@ def _scales(
         measured_seeds(layout.lines.field, guides, families, spacing, scale, fewest)
         for fewest in (1, _CROSSING)
     )
-    crossing = _alone(layout, seeds)
-    number, all_of_them, lines = (
-        _of_piece(piece[triangle], family)
-        for triangle, family in (
-            (plain.triangle, plain.family),
-            (seeds.triangle, seeds.family),
-            (crossing.triangle[crossing.start[:-1]], crossing.family),
-        )
-    )
     across = np.array([int(ACROSS[Family(family)]) for family in guides.family], dtype=np.int64)
-    own = _of_piece(piece[guides.triangle[guides.start[:-1]]], across)
+    own_piece = piece[guides.triangle[guides.start[:-1]]]
+    own = _of_piece(own_piece, across)
+    mesh = layout.lines.field.mesh
+    area = sum_by_group(piece, 0.5 * mesh.double_area, int(piece.max(initial=-1)) + 1)
+    longest = np.full(len(area) * (1 + max(Family)), np.inf)
+    longest[own] = _LONGEST * area[own_piece] / guides.length
+    number, all_of_them = (_of_piece(piece[each.triangle], each.family) for each in (plain, seeds))
+    crossing = _alone(layout, seeds, longest[all_of_them])
+    lines = _of_piece(piece[crossing.triangle[crossing.start[:-1]]], crossing.family)
+    is_long = np.isin(own, lines[crossing.length > _CUT * longest[lines]])
     is_whole = np.zeros(guides.count, dtype=np.bool_)
     for guide in range(guides.count):
         count = int((number == own[guide]).sum())
         # A single line along a pipe has no neighbor to keep a distance from.
-        if count > 1:
+        if count > 1 and not is_long[guide]:
             share = count / int((all_of_them == own[guide]).sum())
             beside = crossing.chosen(np.flatnonzero(lines == own[guide]))
             scale[guide], is_whole[guide] = balance(layout.lines, beside, spacing, share)

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Self, TypeVar
 
 import numpy as np
@@ -94,6 +94,10 @@ class Samples(Trail):
         direction = _NORMAL * spacing * unit(self.normal)
         family = (_FAMILY * spacing * self.family[:, None]).astype(np.float64)
         return np.concatenate([self.position, direction, family], axis=1)
+
+    def by_line(self) -> Samples:
+        """Return the samples with every line for a family: neighbors are those of its own line."""
+        return replace(self, family=self.line)
 
 
 def take_samples(field: DirectionField, trail: Trail) -> Samples:

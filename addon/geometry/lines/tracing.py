@@ -36,7 +36,12 @@ SWERVE = 0.87
 
 
 def trace(
-    field: DirectionField, around: Surroundings, seeds: Seeds, placed: Samples, rules: Rules
+    field: DirectionField,
+    around: Surroundings,
+    seeds: Seeds,
+    placed: Samples,
+    rules: Rules,
+    longest: Floats | None = None,
 ) -> tuple[Arms, Samples]:
     """Trace lines from seeds.
 
@@ -49,6 +54,8 @@ def trace(
     placed : Samples
         Lines that are there already.
     rules : Rules
+    longest : (n,) float64, optional
+        Length in meters at which a line ends, but for the way of some steps.
 
     Returns
     -------
@@ -112,6 +119,9 @@ def trace(
         if count % watch.interval == 0 or not (state.end[active] < 0).any():
             watch.look(joined(sparse), arc)
             sparse = [no_trail()]
+            if longest is not None:
+                is_long = np.repeat(arc[::2] + arc[1::2] > longest, 2)
+                state.end[is_long & (state.end < 0)] = LineEnd.NEIGHBOR
     return state, take_samples(field, joined(parts))
 
 
