@@ -47,7 +47,7 @@ _CROSSING = 12
 #: Lines across a guide are on average as long as their part's area over the guide's length. Where
 #: one is longer than this many times that, distances vary by more than `guides.balance` can make
 #: up for: it ends there. Points left out may make it shorter again, but not below this share.
-_LONGEST, _CUT = 6.0, 0.95
+_LONGEST, _CUT = 3.0, 0.95
 #: Shorter lines than this many spacings are left out; a tenth of it from rim to rim.
 _SHORTEST = 1.0
 #: The same in holes that would stay without.

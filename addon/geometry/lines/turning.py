@@ -118,15 +118,18 @@ def end_at_seeds(
         Changed.
     rules : Rules
     """
-    seed = first.chosen(new.arm)
+    position, heading = first.position[new.arm], first.heading[new.arm]
     corner = field.mesh.position[field.mesh.triangles[new.triangle]]
-    apart = np.einsum("nc,ncx->nx", new.barycentric, corner) - seed.position
-    ahead = dot(apart, seed.heading)
+    apart = np.einsum("nc,ncx->nx", new.barycentric, corner) - position
+    ahead = dot(apart, heading)
     lowest[new.arm] = np.minimum(lowest[new.arm], ahead)
     is_past = (ahead >= 0.0) & (ahead < 0.5 * rules.spacing) & (ahead < 0.5 * new.arc)
     is_past &= lowest[new.arm] < -BEHIND * new.arc
-    passed = np.flatnonzero(is_past & (dot(new.heading, seed.heading) > STRAIGHT_ON))
-    aside = apart[passed] - ahead[passed, None] * seed.heading[passed]
+    passed = np.flatnonzero(is_past)
+    if not len(passed):
+        return
+    passed = passed[dot(new.heading[passed], heading[passed]) > STRAIGHT_ON]
+    aside = apart[passed] - ahead[passed, None] * heading[passed]
     near = np.minimum(rules.nearest, AROUND * new.arc[passed])
     passed = passed[dot(aside, aside) < near**2]
     close_lines(state, np.unique(new.arm[passed] // 2))
