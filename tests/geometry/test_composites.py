@@ -20,7 +20,7 @@ from architectural_curvature.addon.geometry.surface import Surface, build_surfac
 from architectural_curvature.addon.geometry.tolerance import Tolerance, resolve_tolerance
 from composites.boxes import rounded_box
 from composites.catalogue import COMPOSITES, LATER
-from composites.composite import Composite, Recipe
+from composites.composite import Composite, Recipe, quads
 from composites.sheets import zigzag_sheet
 from composites.tubes import torus
 
@@ -154,6 +154,23 @@ def test_regions_of_boxes_with_narrow_fillets_are_counted(
         surface, result = _as_stored(shape)
         assert _share_right(shape, surface, result) >= 0.99
         assert result.regions.count == 26
+
+
+def test_a_bump_far_from_the_origin_keeps_its_classes() -> None:
+    """Coordinates that are rounded to a fiftieth of an edge are noisy, and say nothing exactly."""
+    x, y = (each.ravel() for each in np.meshgrid(*2 * [np.linspace(-5, 5, 51)], indexing="ij"))
+    vertices = np.stack([x, y, 1.5 * np.exp(-(x**2 + y**2) / 8)], axis=1)
+    far = np.array([50_000.0, 50_000.0, 0.0])
+    rounded = (vertices + far).astype(np.float32).astype(np.float64) - far
+    shares: list[list[float]] = []
+    for points, step in ((vertices, 0.0), (rounded, float(np.spacing(np.float32(50_000.0))))):
+        mesh = mesh_from_polygons(points, quads(51, 51).tolist(), resolution=step)
+        surface = build_surface(mesh)
+        tolerance = resolve_tolerance(0.0, 0.0, mesh.diagonal)
+        face_class = segment(surface, estimate_curvature(surface), tolerance).face_class
+        of_class = np.bincount(face_class, surface.polygon_area, 4)
+        shares.append((of_class / of_class.sum()).tolist())
+    np.testing.assert_allclose(shares[1], shares[0], atol=0.05)
 
 
 @pytest.mark.parametrize("noise", [0.0, NOISE])

@@ -79,6 +79,7 @@ def test_a_line_does_not_depend_on_those_traced_with_it() -> None:
         beside = trace_from(
             lines, np.full(len(triangles), triangles[number]), middle, (Family.FIRST,)
         )
+        assert beside.count == len(triangles)
         np.testing.assert_allclose(beside.length, apart.length[number], rtol=1e-9)
 
 

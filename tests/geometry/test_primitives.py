@@ -196,5 +196,20 @@ def test_the_narrowest_extent_is_the_width_of_the_strip(kind: Kind) -> None:
     }[kind]
     origin = np.array([1.0, 2.0, 3.0])
     primitive = Primitive(kind, origin, frame, sizes)
-    found = narrowest_extent(primitive, origin + local.T @ frame)
+    points = origin + local.T @ frame
+    found = narrowest_extent(primitive, points, np.ones(len(points)))
     assert found == pytest.approx(0.3, rel=0.01)
+    # Where points are dense each stands for less.
+    is_left = width < 0.0
+    dense = np.concatenate([points, points[is_left]])
+    weight = np.where(np.concatenate([is_left, is_left[is_left]]), 0.5, 1.0)
+    assert narrowest_extent(primitive, dense, weight) == pytest.approx(found, rel=1e-9)
+
+
+def test_a_whole_ring_is_as_wide_as_it_is_long_around() -> None:
+    angle = np.arange(16) * np.pi / 8 + np.pi / 16
+    ring = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    points = np.concatenate([ring + [0.0, 0.0, height] for height in np.linspace(-9, 9, 500)])
+    cylinder = Primitive(Kind.CYLINDER, np.zeros(3), np.eye(3), (1.0,))
+    found = narrowest_extent(cylinder, points, np.ones(len(points)))
+    assert found == pytest.approx(2.0 * np.pi)

@@ -3,7 +3,7 @@
 """Discs: seeds of pieces that no class shows.
 
 Fillets of few edges form a net around the walls. Noise or the reach of the estimate leaves no class
-a region of its own there, but a dozen or two of points are enough to tell a cylinder.
+a region of its own there, but two dozen points are enough to tell a cylinder, and fewer a sphere.
 """
 
 from __future__ import annotations
@@ -11,21 +11,25 @@ from __future__ import annotations
 import numpy as np
 
 from ..nearest import nearest_along
-from ..types import Flags, Floats, Indices
+from ..types import Flags, Floats, Indices, Progress
 from .certainty import certain_piece
-from .growth import Piece, Places
+from .growth import FEWEST, Piece, Places
 
 #: Points of a disc; corners that are too small for the larger ones come last, when all around them
 #: is known.
 _SIZES = (24, 16)
-#: Discs in a row without a piece after which no other is asked.
-_HOPELESS = 24
+#: Discs in a row without a piece after which no other is asked; most of them in all.
+_HOPELESS, _MOST = 24, 1000
 #: As in `pieces`, but where no class shows a piece, chance finds some on gradual surfaces.
 _HIDDEN = 1.0 / 24.0
 
 
 def pieces_from_discs(
-    places: Places, net: tuple[Indices, Floats], taken: Flags, limit: float
+    places: Places,
+    net: tuple[Indices, Floats],
+    taken: Flags,
+    limit: float,
+    on_progress: Progress,
 ) -> list[Piece]:
     """Return the pieces that grow from small discs between those known, and mark what they take.
 
@@ -38,6 +42,8 @@ def pieces_from_discs(
         Places on pieces.
     limit : float
         Curvature in 1/m that matters.
+    on_progress : callable
+        Receives the share of the work that is done; may raise to stop it.
 
     Returns
     -------
@@ -48,13 +54,14 @@ def pieces_from_discs(
     def is_free(chosen: Indices) -> Flags:
         return ~taken[chosen]
 
+    asked = 0
     for many in _SIZES:
         depth, _ = nearest_along(*net, np.flatnonzero(taken), len(taken), np.inf)
         is_asked = taken | ~np.isfinite(depth)
         in_vain = 0
         order: list[int] = np.argsort(-depth, kind="stable").tolist()
         for deepest in order:
-            if in_vain >= _HOPELESS:
+            if in_vain >= _HOPELESS or asked >= _MOST:
                 break
             if is_asked[deepest] or taken[deepest]:
                 continue
@@ -62,8 +69,12 @@ def pieces_from_discs(
             off = ((places.position[seed] - places.position[deepest]) ** 2).sum(axis=1)
             seed = seed[np.argsort(off, kind="stable")[:many]]
             is_asked[seed] = True
-            piece = certain_piece(places, seed, limit, _HIDDEN)
+            if len(seed) < FEWEST:
+                continue
+            on_progress(asked / _MOST)
+            asked += 1
             in_vain += 1
+            piece = certain_piece(places, seed, limit, _HIDDEN)
             if piece is not None:
                 taken[piece.members] = True
                 pieces.append(piece)

@@ -23,6 +23,10 @@ from ..types import Flags, Floats, Indices
 #: many edges, joins nothing.
 _NECK, _NECK_EDGES = 0.5, 2.5
 
+#: Widths by area and outline are too small by no more than this factor: outlines zigzag, and a
+#: square has as much of them at its ends as on its sides.
+_WIDEST = 3.0
+
 #: Rings of polygons around the inner ones of a part that still belong to it.
 _RINGS = 3
 
@@ -94,6 +98,8 @@ def split_at_necks(
     # How wide known surfaces are does not depend on how their outlines zigzag.
     is_known = (one != other) & (one >= 0) & (other >= 0)
     wide = _extents(surface, piece, np.unique(pairs[is_known]), lies_on[names], primitives)
+    # A strip that bends is narrower than it seems.
+    wide = np.minimum(wide, _WIDEST * width)
     is_neck |= is_known & (neck < _NECK * wide[pairs].min(axis=1))
     is_neck &= smaller >= min_area
     tied = pairs[~is_neck]
@@ -116,14 +122,15 @@ def _extents(
     following = np.arange(len(position)) + 1
     following[start[1:] - 1] = start[:-1]
     middle = 0.5 * (position + position[following])
+    share = (surface.polygon_area / np.diff(start))[mesh.corner_polygon]
     owner = piece[mesh.corner_polygon]
     order = np.argsort(owner, kind="stable")
     first = np.searchsorted(owner[order], np.arange(len(lies_on) + 1))
     extents = np.zeros(len(lies_on))
     numbers: list[int] = asked.tolist()
     for part in numbers:
-        own = middle[order[first[part] : first[part + 1]]]
-        extents[part] = narrowest_extent(primitives[int(lies_on[part])], own)
+        own = order[first[part] : first[part + 1]]
+        extents[part] = narrowest_extent(primitives[int(lies_on[part])], middle[own], share[own])
     return extents
 
 

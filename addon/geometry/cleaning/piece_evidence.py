@@ -133,10 +133,9 @@ def piece_costs(surface: Surface, pieces: Sequence[Piece], criterion: Criterion)
         if piece.primitive.kind in _EVEN:
             center = center[:1]
         k1, k2 = piece.primitive.bends(center)
-        by_class = (
-            class_costs(k1, k2, np.full(len(k1), min(curvature_doubts(piece, members))), criterion)
-            + misfit[:, None]
-        )
+        # Both are certain; that along rulings decides between single and double.
+        doubt = np.full(len(k1), min(curvature_doubts(piece, members)))
+        by_class = class_costs(k1, k2, doubt, criterion) + misfit[:, None]
         is_better = by_class < cost[faces]
         best[faces] = np.where(is_better, number, best[faces])
         cost[faces] = np.where(is_better, by_class, cost[faces])

@@ -14,6 +14,8 @@ References
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..classification import SurfaceClass
@@ -92,8 +94,13 @@ def find_pieces(
     """
     if not len(links):
         return []
+    # In an order of their own, so that nothing rests on how the mesh was numbered.
+    order = np.lexsort((*normal.T, *position.T))
+    position, normal, mean, is_rim = position[order], normal[order], mean[order], is_rim[order]
+    links, place_class = _renumbered(links, order), place_class[order]
     length = link_lengths(position, links)
     edge = float(np.median(length))
+    least = _LEAST * edge
     start, neighbor = _neighbors(links, len(position))
     places = Places(
         position=position,
@@ -101,9 +108,10 @@ def find_pieces(
         start=start,
         neighbor=neighbor,
         is_rim=is_rim,
-        exact=max(_EXACT * edge, resolution),
-        least=_LEAST * edge,
-        most=max(_LOUD * noise, _LEAST * edge),
+        # Coarser rounding is noise like any other.
+        exact=min(max(_EXACT * edge, resolution), least),
+        least=least,
+        most=max(_LOUD * noise, least),
     )
     taken = np.zeros(len(position), dtype=np.bool_)
     place_class = _cut_where_bends_turn(links, place_class, mean)
@@ -112,14 +120,22 @@ def find_pieces(
     if pieces:
         # What no piece has taken may be one that the classes do not show, however narrow …
         rest = np.where(taken, -1, 0)
-        pieces += _pieces_inside(places, net, rest, taken, limit, part_of(on_progress, 0.7, 0.9))
-        pieces += pieces_from_discs(places, net, taken, limit)
+        pieces += _pieces_inside(places, net, rest, taken, limit, part_of(on_progress, 0.7, 0.8))
+        pieces += pieces_from_discs(places, net, taken, limit, part_of(on_progress, 0.8, 0.9))
         # … or a strip of wall between fillets, which noise has made to seem bent, but not by much.
         turn = np.linalg.norm(normal[links[:, 0]] - normal[links[:, 1]], axis=1)
         calm = turn < _CALM * limit * length
         net, rest = (links[calm], length[calm]), np.where(taken, -1, int(SurfaceClass.SINGLE))
         pieces += _pieces_inside(places, net, rest, taken, limit, part_of(on_progress, 0.9, 1.0))
-    return pieces
+    return [replace(piece, members=order[piece.members]) for piece in pieces]
+
+
+def _renumbered(links: Indices, order: Indices) -> Indices:
+    """Return links between places by their numbers in an order, sorted."""
+    number = np.empty(len(order), dtype=np.int64)
+    number[order] = np.arange(len(order))
+    links = np.sort(number[links], axis=1)
+    return links[np.lexsort((links[:, 1], links[:, 0]))]
 
 
 def _neighbors(links: Indices, count: int) -> tuple[Indices, Indices]:
