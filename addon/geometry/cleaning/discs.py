@@ -59,7 +59,8 @@ def pieces_from_discs(
         depth, _ = nearest_along(*net, np.flatnonzero(taken), len(taken), np.inf)
         is_asked = taken | ~np.isfinite(depth)
         in_vain = 0
-        order: list[int] = np.argsort(-depth, kind="stable").tolist()
+        unasked = np.flatnonzero(~is_asked)
+        order: list[int] = unasked[np.argsort(-depth[unasked], kind="stable")].tolist()
         for deepest in order:
             if in_vain >= _HOPELESS or asked >= _MOST:
                 break

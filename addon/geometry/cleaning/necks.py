@@ -116,13 +116,11 @@ def _extents(
     primitives: Sequence[Primitive],
 ) -> Floats:
     """Return how wide some parts are along the primitives that they lie on, (p,) in meters."""
-    mesh, start = surface.mesh, surface.mesh.polygon_start
+    mesh = surface.mesh
     position = surface.sector_position[surface.corner_sector]
     # The middles of its sides stand for a polygon: of a triangle they have the same spread.
-    following = np.arange(len(position)) + 1
-    following[start[1:] - 1] = start[:-1]
-    middle = 0.5 * (position + position[following])
-    share = (surface.polygon_area / np.diff(start))[mesh.corner_polygon]
+    middle = 0.5 * (position + position[mesh.next_corner])
+    share = (surface.polygon_area / np.diff(mesh.polygon_start))[mesh.corner_polygon]
     owner = piece[mesh.corner_polygon]
     order = np.argsort(owner, kind="stable")
     first = np.searchsorted(owner[order], np.arange(len(lies_on) + 1))

@@ -49,7 +49,7 @@ _CALM = 4.0
 _LOUD = 3.0
 #: Heights below this share of an edge move no border by more than a fraction of an edge …
 _LEAST = 3e-4
-#: … and below this they are rounding, whatever the coordinates were rounded to.
+#: … and below this, or the step that coordinates were rounded to, they are rounding.
 _EXACT = 1e-6
 
 

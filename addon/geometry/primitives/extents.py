@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Architectural Curvature developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How far points reach along a primitive, measured on its surface."""
+"""How wide the points on a primitive spread, along and around it."""
 
 from __future__ import annotations
 
